@@ -27,6 +27,7 @@ SIZES = {
     "extremes": "--sections study speed",
     "front": "",
     "house": "",
+    "joints": "",
     "linear": "--seas 5",
     "linear_afloat": "--lines 20 --seas 1",
     "moorings": "",

@@ -188,7 +188,7 @@ JOBS: dict[Callable[[], None], set[str]] = {
     fronts: {"_best_of_three", "_volume"},
     lines: {"fill"},
     systems: {"static_equilibria"},
-    networks: {"rest"},
+    networks: {"rest_under_each"},
     designs: {"assess"},
     moorings: {"assess_moorings"},
     series: {"_fill_values"},

@@ -20,6 +20,7 @@ from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.mooring.chains import apart, in_rows, rows_of
 from catopt.mooring.joints import (
     UNIT,
+    Freed,
     JointsAtRest,
     Matrix,
     Moored,
@@ -28,6 +29,7 @@ from catopt.mooring.joints import (
     assembled,
     by_turning,
     check_afloat,
+    freed,
     joints_at_rest,
     moored,
     product,
@@ -236,6 +238,10 @@ class WithoutLoad:
         if any(any(body.force) or body.moment for body in loaded):
             found = joints_at_rest(whole, self.runs, self.held, found)
         return self.apart(network, whole, found)
+
+    def as_numbers(self) -> Freed:
+        """Say by which freedoms it moves, from where it is."""
+        return freed(self.whole, self.runs, self.held, self.found, pinned=False)
 
     def held_at(self, x: float, y: float) -> LinesAtRest:
         """Hold its one body off where it rests without load, m; it turns where it is free to."""

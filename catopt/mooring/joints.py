@@ -34,7 +34,7 @@ from catopt.mooring.net import (
     state_of,
     stiffen,
 )
-from catopt.mooring.rest import Found, rest
+from catopt.mooring.rest import PER_LINE, rest_under_each
 from catopt.words import Message
 
 Vector = tuple[float, float, float]
@@ -156,7 +156,7 @@ def joints_at_rest(
     the moment on a body, or a line that does not stretch is too short; FloatsUpError; or
     NotConvergedError with the force left over.
     """
-    found = _brought_to_rest(network, runs, held, known, pinned)
+    found = _brought_to_rest(network, runs, freed(network, runs, held, known, pinned=pinned))
     _check(network, runs, found)
     return found
 
@@ -200,13 +200,24 @@ class Moored(NamedTuple):
         }
 
 
-def _brought_to_rest(
+class Freed(NamedTuple):
+    """A network as numbers, with where it is known to be; its joints by number, and its bodies."""
+
+    net: Net
+    room: Known
+    joints: Sequence[int]
+    bodies: Sequence[Moored]
+
+
+def freed(
     network: Network,
     runs: Sequence[Run],
     held: dict[int, Vector],
     known: JointsAtRest | None,
+    *,
     pinned: bool,
-) -> JointsAtRest:
+) -> Freed:
+    """Say by which freedoms a network moves, and where to begin."""
     joints = [k for k, point in enumerate(network.points) if point.kind == "joint"]
     bodies = moored(network, 3 * len(joints))
     poses = ((0.0, 0.0, 0.0),) * len(bodies) if known is None else known.poses
@@ -221,32 +232,59 @@ def _brought_to_rest(
         room.q.extend((x, y, yaw * body.arm)[: body.freedoms])
     for k, ends in enumerate(() if known is None else known.ends):
         _guess(k, ends, room)
-    if not net.pull:
-        return _found(net, hung(net, room, runs), joints, bodies, Found(*_AT_ONCE))
-    found, room = _rested(net, room)
-    _check_found(network, runs, net, room, bodies, found)
-    return _found(net, room, joints, bodies, found)
+    return Freed(net, room, joints, bodies)
 
 
-_AT_ONCE = (CONVERGED, -1, 0, 0.0, 0.0)
+def _brought_to_rest(network: Network, runs: Sequence[Run], of: Freed) -> JointsAtRest:
+    if not of.net.pull:
+        hung(of.net, of.room, runs)
+        return _found(of, Under([CONVERGED, -1, 0], [0.0], [], []))
+    room, under = map(_as_lists, rested(of.net, of.room, of.net.pull, 1))
+    of = of._replace(room=room)
+    _check_found(network, runs, of, under)
+    return _found(of, under)
 
 
-def _rested(net: Net, room: Known) -> tuple[Found, Known]:
-    """Bring a net to rest, as plain Python or compiled, whichever is the sooner done."""
-    run = compiled(rest, _A_LINE * len(net.first))
-    if not is_compiled(rest):
-        return run(net, room), room
-    arrays = _as_arrays(room)
-    found = run(_as_arrays(net), arrays)
-    return Found(*found), Known(*(each.tolist() for each in arrays))
+class Under(NamedTuple):
+    """What came of each load, as `rest_under_each` writes it."""
+
+    codes: Any
+    left: Any
+    q: Any
+    lines: Any
+
+
+def rested(net: Net, room: Known, loads: Any, count: int) -> tuple[Known, Under]:
+    """Bring a net to rest under each load, as plain Python or compiled, whichever is sooner done.
+
+    Returns what is known under the last of them, too.
+    """
+    sizes = (3 * count, count, count * len(net.pull), count * PER_LINE * len(net.first))
+    under = Under(*([0] * sizes[0], *([0.0] * size for size in sizes[1:])))
+    run = compiled(rest_under_each, _A_LINE * len(net.first) * count)
+    if is_compiled(rest_under_each):
+        net, room, under = map(_as_arrays, (net, room, under))
+        loads = _as_array(loads)
+    known = room if count == 1 else Known(*(each.copy() for each in room))
+    run(loads, net, room, known, *under)
+    return known, under
 
 
 def _as_arrays(columns: Any) -> Any:
     """Copy lists as arrays, for compiled code."""
+    named = columns._asdict().items()
+    return type(columns)(*(_as_array(each, is_whole=name in WHOLE) for name, each in named))
+
+
+def _as_lists(columns: Any) -> Any:
+    """Copy arrays as lists; lists stay."""
+    return type(columns)(*(x if isinstance(x, list) else x.tolist() for x in columns))
+
+
+def _as_array(values: Any, *, is_whole: bool = False) -> Any:
     import numpy as np
 
-    kinds = (np.int64 if name in WHOLE else np.float64 for name in columns._fields)
-    return type(columns)(*map(np.array, columns, kinds))
+    return np.array(values, np.int64 if is_whole else np.float64)
 
 
 def _net(
@@ -345,49 +383,41 @@ def ends_of(k: int, net: Net, room: Known) -> Ends:
     return Ends(state_of(k, room), problem, force[:3], force[3:], rows)
 
 
-def _check_found(
-    network: Network,
-    runs: Sequence[Run],
-    net: Net,
-    room: Known,
-    bodies: Sequence[Moored],
-    found: Found,
-) -> None:
+def _check_found(network: Network, runs: Sequence[Run], of: Freed, under: Under) -> None:
     """Refuse what found no rest."""
-    if found.status == CONVERGED:
+    (status, number, steps), (left,) = under.codes, under.left
+    if status == CONVERGED:
         return
-    if found.status == TURNS_OVER:
-        (turned,) = (each.body for each in bodies if each.first <= found.number < each.first + 3)
+    if status == TURNS_OVER:
+        (turned,) = (each.body for each in of.bodies if each.first <= number < each.first + 3)
         said = Message("mooring.body_turns_over", name=turned.name, moment=turned.moment)
         raise NoEquilibriumError(said, "moment", abs(turned.moment))
-    if found.number >= 0:
-        raise _refused(found.status, found.number, net, room, runs)
-    if not (any(room.held) and network.site.seabed_friction):  # else refused: friction holds it
-        part = found.left / found.largest
-        values = {"left": found.left, "steps": found.steps, "part": part}
+    if number >= 0:
+        raise _refused(status, number, of.net, of.room, runs)
+    if not (any(of.room.held) and network.site.seabed_friction):  # else refused: friction holds it
+        force = of.room.force
+        largest = max(math.hypot(*force[k : k + 3]) for k in range(0, len(force), 3))
+        values = {"left": left, "steps": steps, "part": left / largest}
         raise NotConvergedError(Message("mooring.joints_not_at_rest", **values))
 
 
-def _found(
-    net: Net,
-    room: Known,
-    joints: Sequence[int],
-    bodies: Sequence[Moored],
-    found: Found,
-) -> JointsAtRest:
+def _found(of: Freed, under: Under) -> JointsAtRest:
     """Say what has come to rest."""
+    room = of.room
     places = [tuple(room.place[at : at + 3]) for at in range(0, len(room.place), 3)]
     reactions = [0.0] * len(places)
-    for k, point in enumerate(joints):
+    for k, point in enumerate(of.joints):
         reactions[point] = room.laid[3 * k + 2]
-    poses = []
-    for body in bodies:
-        x, y, *turn = room.q[body.first : body.first + body.freedoms]
-        poses.append((x, y, sum(turn) / body.arm))
-    ends = tuple(ends_of(k, net, room) for k in range(len(net.first)))
-    return JointsAtRest(
-        tuple(places), ends, tuple(reactions), found.left, found.steps, tuple(poses)
-    )
+    poses = tuple(pose_of(body, room.q) for body in of.bodies)
+    ends = tuple(ends_of(k, of.net, room) for k in range(len(of.net.first)))
+    steps = int(under.codes[2])
+    return JointsAtRest(tuple(places), ends, tuple(reactions), float(under.left[0]), steps, poses)
+
+
+def pose_of(body: Moored, q: Sequence[float]) -> Vector:
+    """Say how far a body is moved and turned from where it is given; m, m, rad."""
+    x, y, *turn = q[body.first : body.first + body.freedoms]
+    return x, y, sum(turn) / body.arm
 
 
 def moored(network: Network, first: int) -> tuple[Moored, ...]:

@@ -44,6 +44,9 @@ STATE, GUESS, FORCES, STIFFNESS = len(State._fields), 8, 6, 36
 """Numbers of each line: those of a State; H, V, span and rise with the derivatives of H and V at
 the second end by span and height; forces on both points; and stiffness of both, row by row."""
 
+GROUNDED: Final = State._fields.index("grounded")
+"""Which number of a State is the length on the bed."""
+
 
 @packed
 class Net(NamedTuple):
@@ -74,8 +77,8 @@ class Net(NamedTuple):
     group: Any
 
 
-WHOLE: Final = ("first", "second", "piece", "freedom", "kind", "group", "held")
-"""Fields of Net and Known that are whole numbers."""
+WHOLE: Final = ("first", "second", "piece", "freedom", "kind", "group", "held", "codes")
+"""Fields that are whole numbers."""
 
 
 @packed

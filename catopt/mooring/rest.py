@@ -12,16 +12,18 @@ Plain functions of lists, or of arrays in compiled code.
 from __future__ import annotations
 
 import math
-from typing import Final, NamedTuple
+from typing import Any, Final, NamedTuple
 
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED
 from catopt.compiled import inlined
 from catopt.mooring.descent import TURNS_OVER
 from catopt.mooring.net import (
     FORCES,
+    GROUNDED,
     GUESS,
     OVER_THE_BED,
     PINNED,
+    STATE,
     TURNS,
     Known,
     Net,
@@ -60,16 +62,12 @@ _RIDGE: Final = 1e-9
 
 
 class Found(NamedTuple):
-    """What came of it: status, line or freedom that stopped it, steps; what is left over, N.
-
-    `largest` is the largest end force of a line, N.
-    """
+    """What came of it: status, line or freedom that stopped it, steps; what is left over, N."""
 
     status: int
     number: int
     steps: int
     left: float
-    largest: float
 
 
 def _sum(net: Net, known: Known) -> tuple[float, float]:
@@ -328,15 +326,15 @@ def rest(net: Net, known: Known) -> Found:
     for i in range(len(net.pull)):
         known.begun[i] = known.q[i]
     status, number = hang(net, known)
-    best, is_nudged, left, largest = math.inf, False, math.nan, math.nan
+    best, is_nudged, left = math.inf, False, math.nan
     for step in range(STEPS):
         if status != CONVERGED:
-            return Found(status, number, step, left, largest)
+            return Found(status, number, step, left)
         left, largest = _sum(net, known)
         limit = TOLERANCE * largest + ROUNDING * stride * _assemble(net, known)
         if left <= limit and not WORTH_A_STEP * limit < left < 0.5 * best:
             if is_nudged or _is_stable(net, known):
-                return Found(CONVERGED, -1, step, left, largest)
+                return Found(CONVERGED, -1, step, left)
             is_nudged, best = True, math.inf
             status, number = _nudged(net, known)
             continue
@@ -344,10 +342,10 @@ def rest(net: Net, known: Known) -> Found:
         status, number = _step(net, known, stride)
         over = _turned_over(net, known)
         if over >= 0:
-            return Found(TURNS_OVER, over, step, left, largest)
+            return Found(TURNS_OVER, over, step, left)
         if left > limit and not _has_moved(net, known):
             break
-    return Found(NOT_CONVERGED, -1, STEPS, left, largest)
+    return Found(NOT_CONVERGED, -1, STEPS, left)
 
 
 def _longest(net: Net) -> float:
@@ -384,3 +382,33 @@ def _has_moved(net: Net, known: Known) -> bool:
     for i in range(len(net.pull)):
         far = max(far, abs(known.q[i] - known.before[i]))
     return far > 0.0
+
+
+PER_LINE: Final = FORCES + 1
+"""Numbers that are written of each line under each load: FORCES, and its length on the bed."""
+
+
+def rest_under_each(
+    loads: Any, net: Net, start: Known, known: Known, codes: Any, left: Any, q: Any, lines: Any
+) -> None:
+    """Bring all to rest under each load (a row: N for each freedom), every time from the start.
+
+    `known` is work space. Written, load after load: status, number and steps of Found to `codes`,
+    what is left over (N), where the freedoms are, and of each line PER_LINE.
+    """
+    n, count = len(net.pull), len(net.first)
+    for m in range(len(left)):
+        for i in range(n):
+            net.pull[i], known.q[i] = loads[m * n + i], start.q[i]
+        for i in range(GUESS * count):
+            known.guess[i] = start.guess[i]
+        found = rest(net, known)
+        codes[3 * m], codes[3 * m + 1], codes[3 * m + 2] = found.status, found.number, found.steps
+        left[m] = found.left
+        for i in range(n):
+            q[m * n + i] = known.q[i]
+        for k in range(count):
+            at = (m * count + k) * PER_LINE
+            for i in range(FORCES):
+                lines[at + i] = known.force[FORCES * k + i]
+            lines[at + FORCES] = known.state[STATE * k + GROUNDED]

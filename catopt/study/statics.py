@@ -19,13 +19,13 @@ from catopt.errors import InputError, NoAnswerError, NotConvergedError, refused
 from catopt.model import Case, Load, System
 from catopt.model.kinds import Measured
 from catopt.model.load import LOADS as OF_A_LINE
-from catopt.model.network import MooredBody, Network
+from catopt.model.network import Network
 from catopt.model.system import Leg
 from catopt.mooring.batch import SystemSolutions, solve_system_many
 from catopt.mooring.case import report_system
 from catopt.mooring.held import at_rest as network_at_rest
-from catopt.mooring.held import without_load
 from catopt.mooring.joints import turned_line
+from catopt.mooring.many import solve_network_many
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.study.member import Base, kind_of_key, read_member, reason_of
 from catopt.study.study import StudyPiece
@@ -169,18 +169,34 @@ def _points(network: Network, loads: Loads, count: int) -> AtRest:
     if system is not None:
         own = {key.replace("bodies[0]", "system"): values for key, values in loads.items()}
         return _bodies(system, own, count)
-    start = None if network.current_at_rest is not None else without_load(network)
-
-    def under(own: Mapping[str, float]) -> dict[str, float]:
-        bodies = tuple(_loaded(k, body, own) for k, body in enumerate(network.bodies))
-        return points_at_rest(network_at_rest(network) if start is None else start.under(bodies))
-
-    return _each(under, loads, count)
-
-
-def _loaded(number: int, body: MooredBody, loads: Mapping[str, float]) -> MooredBody:
-    x, y = (loads.get(f"bodies[{number}].force[{i}]", own) for i, own in enumerate(body.force))
-    return replace(body, force=(x, y), moment=loads.get(f"bodies[{number}].moment", body.moment))
+    if not network.bodies:
+        return _each(lambda _: points_at_rest(network_at_rest(network)), loads, count)
+    keys = ("force[0]", "force[1]", "moment")
+    given = [
+        [
+            loads.get(f"bodies[{k}].{key}", np.full(count, own))
+            for key, own in zip(keys, (*body.force, body.moment), strict=True)
+        ]
+        for k, body in enumerate(network.bodies)
+    ]
+    solved = solve_network_many(network, force=np.moveaxis(np.array(given), 2, 0))
+    first, second = (
+        np.linalg.norm(each, axis=2) for each in (solved.first_force, solved.second_force)
+    )
+    kinds = {point.name: point.kind for point in network.points}
+    is_anchored = np.array(
+        [{kinds[e.start], kinds[e.end]} & {"anchor"} != set() for e in network.lines]
+    )
+    others = np.where(is_anchored, 0.0, first)
+    values = {
+        "fairlead_tension": np.maximum(others, second).max(axis=1),
+        "grounded_length": solved.grounded_length.min(axis=1),
+        "offset": np.hypot(solved.offset[..., 0], solved.offset[..., 1]).max(axis=1),
+    }
+    if is_anchored.any():
+        values["anchor_tension"] = first[:, is_anchored].max(axis=1)
+        values["anchor_uplift"] = solved.first_force[:, is_anchored, 2].max(axis=1)
+    return AtRest(values, solved.reasons)
 
 
 def system_of(network: Network) -> System | None:
