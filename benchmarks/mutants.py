@@ -24,6 +24,7 @@ import sys
 import tempfile
 import types
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -34,6 +35,9 @@ from benchmarks.common import stamp
 ROOT = Path(__file__).parents[1]
 PARTS = ("catenary", "mooring", "fem", "floater", "hydro", "loads", "checks")
 """Those with the physics, taken when none is named."""
+
+BESIDE = {"hydro": ("tests/floater",)}
+"""Tests of a part that stand elsewhere: the kernels of a hull are run with a body afloat."""
 
 LONG = 2.0
 """Processor time of a test in plain Python beyond which it is left out, s."""
@@ -158,11 +162,15 @@ def main() -> None:
     for part in of.parts or PARTS:
         with tempfile.TemporaryDirectory() as folder:
             to = Path(folder) / "score"
-            if _in_a_child(lambda part=part, to=to: _score(part, of, to), 1e6):  # type: ignore[misc]
+            if _in_a_child(partial(_score, part, of, to), 1e6):
                 sys.exit(f"the tests of {part} were not run")
             found = json.loads(to.read_text("utf-8"))
-        survivors = [(k, Fault(Path(file), *rest, "")) for k, (file, *rest) in found.pop()]
-        scores.append(Score(part, *found[:2], survivors, *found[2:]))
+        possible, planted, tests, left_out, kept = found
+        survivors = [
+            (number, Fault(Path(file), line, before, after, ""))
+            for number, (file, line, before, after) in kept
+        ]
+        scores.append(Score(part, possible, planted, survivors, tests, left_out))
     text = "\n".join(_page(scores, of.seed)) + "\n"
     print(text)
     if of.out is not None:
@@ -176,7 +184,8 @@ def _page(scores: Sequence[Score], seed: int) -> Iterator[str]:
     yield ""
     yield (
         f"Faults are planted one at a time, drawn at random with the seed {seed}. Tests are those "
-        f"of the part's own folder that take at most {LONG:g} s of processor time in plain Python."
+        f"of the part's own folder (of hydro also those of floater) that take at most {LONG:g} s of "
+        "processor time in plain Python."
     )
     yield ""
     yield "| part | can be planted | planted | noticed | % | tests | left out |"
@@ -214,7 +223,8 @@ def _in_a_child(do: Callable[[], int], longest: float) -> int:
 def _score(part: str, of: argparse.Namespace, to: Path) -> int:
     """Collect the tests of a part, and plant the faults; write what came of it."""
     planter = _Planter(part, of, to)
-    words = ["-q", "-n", "0", "-p", "no:cacheprovider", "-m", "not slow", f"tests/{part}"]
+    words = ["-q", "-n", "0", "-p", "no:cacheprovider", "-m", "not slow"]
+    words += [f"tests/{part}", *BESIDE.get(part, ())]
     return int(pytest.main(words, plugins=[planter]))
 
 
@@ -233,7 +243,7 @@ class _Planter:
         gc.freeze()
         notes = self.to.with_suffix(".calls")
         if _in_a_child(lambda: _look(session.items, notes), 3600.0):
-            raise pytest.Exit("tests fail without any fault")
+            raise RuntimeError("tests fail without any fault")
         long, calls = json.loads(notes.read_text("utf-8"))
         files = sorted((ROOT / "catopt" / self.part).glob("*.py"))
         every = [fault for file in files for fault in faults(file)]
@@ -244,7 +254,7 @@ class _Planter:
             where = _function(fault)
             called = calls.get(where, ()) if where else range(len(session.items))
             items = [session.items[k] for k in called if k not in long]
-            if not _in_a_child(lambda f=fault, i=items: self._noticed(session, f, i), HANGS):  # type: ignore[misc]
+            if not _in_a_child(partial(self._noticed, session, fault, items), HANGS):
                 survivors.append((number, fault))
                 place = f"{fault.file.name}:{fault.line} ({len(items)} tests)"
                 print(f"\n{number}: {place}: {fault.before} -> {fault.after}", flush=True)

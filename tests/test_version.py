@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
 import runpy
 import shutil
 import subprocess
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -85,3 +87,18 @@ def test_a_tree_without_git_says_so(tree: Path) -> None:
 def test_a_build_keeps_it(tree: Path) -> None:
     (tree / "catopt" / "_build.py").write_text('VERSION = "1.1.0"\nCOMMIT = "0123abcd"\n')
     assert told(tree) == ("1.1.0", "0123abcd")
+
+
+def test_a_release_is_tried_with_the_lowest_and_the_newest_numba() -> None:
+    """Its internals are patched: no version between the bounds of pyproject.toml is a guess."""
+    root = SOURCE.parents[1]
+    asked = tomllib.loads((root / "pyproject.toml").read_text("utf-8"))["project"]["dependencies"]
+    bounds = {each.split(">=")[0]: each.split(">=")[1] for each in asked if ">=" in each}
+    lowest, beyond = bounds["numba"].split(",<")
+    major, minor = map(int, beyond.split("."))
+    workflow = (root / ".github" / "workflows" / "release.yml").read_text("utf-8")
+    tried = dict.fromkeys(re.findall(r'"(\w+)==([\d.]+)\.\*"', workflow))
+    for name in ("numpy", "scipy", "pandas"):
+        assert (name, bounds[name]) in tried
+    assert ("numba", lowest) in tried
+    assert ("numba", f"{major}.{minor - 1}") in tried

@@ -193,3 +193,20 @@ def test_a_cylinder_afloat_sends_out_what_comes_in() -> None:
         own = stiffness - omega**2 * (mass + of.added_mass)
         speeds = -1j * omega * np.linalg.solve(own, of.excitation())
         assert np.abs(of.sent(speeds.tolist())) == pytest.approx(1.0, abs=2e-5)
+
+
+def test_a_cylinder_three_times_as_large_follows_by_froude() -> None:
+    """In waves three times as long: no length may stand by itself."""
+    small = FloatingCylinder(0.8, 0.5, 4.0, 0.2, density=1000.0, gravity=9.81)
+    large = FloatingCylinder(2.4, 1.5, 12.0, 0.6, density=1000.0, gravity=9.81)
+    ours, theirs = small.at([1.5, 3.0]), large.at(np.array([1.5, 3.0]) / math.sqrt(3.0))
+    lever = np.array([1.0, 1.0, 3.0])  # pitch has a length more than surge and heave
+    turns = np.outer(lever, lever)
+    assert theirs.added_mass == pytest.approx(27.0 * turns * ours.added_mass, rel=1e-9)
+    per_time = 27.0 / math.sqrt(3.0)
+    assert theirs.damping == pytest.approx(per_time * turns * ours.damping, rel=1e-9)
+    assert theirs.excitation == pytest.approx(9.0 * lever * ours.excitation, rel=1e-9)
+    assert theirs.froude_krylov == pytest.approx(9.0 * lever * ours.froude_krylov, rel=1e-9)
+    assert large.at_infinite_frequency() == pytest.approx(
+        27.0 * turns * small.at_infinite_frequency(), rel=1e-9
+    )

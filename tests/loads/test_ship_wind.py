@@ -183,3 +183,28 @@ def test_recalled_coefficients_are_refused_ahead_too() -> None:
         ufc_wind_loads(SHIP, Wind(20.0), guessed, angle=0.0, air_density=1.25)
     with pytest.raises(InputError, match="single, distributed"):
         UfcWind(0.9, 0.7, 0.7, 1.5, "none")  # type: ignore[arg-type]
+
+
+MSS = {
+    "car carrier": (0.95, 0.55, 0.60, 0.80),
+    "cargo loaded": (0.85, 0.65, 0.55, 0.40),
+    "cargo containers on deck": (0.85, 0.55, 0.50, 0.40),
+    "container ship loaded": (0.90, 0.55, 0.55, 0.40),
+    "destroyer": (0.85, 0.60, 0.65, 0.65),
+    "diving support vessel": (0.90, 0.60, 0.80, 0.55),
+    "ferry": (0.90, 0.45, 0.50, 0.80),
+    "fishing vessel": (0.95, 0.70, 0.70, 0.40),
+    "LNG tanker": (0.70, 0.60, 0.65, 0.50),
+    "offshore supply vessel": (0.90, 0.55, 0.80, 0.55),
+    "passenger liner": (0.90, 0.40, 0.40, 0.80),
+    "research vessel": (0.85, 0.55, 0.65, 0.60),
+    "tanker loaded": (0.70, 0.90, 0.55, 0.40),
+    "tanker ballast": (0.70, 0.75, 0.55, 0.40),
+    "tender": (0.85, 0.55, 0.55, 0.65),
+}
+"""CD_t, CD_l_AF(0), CD_l_AF(pi), delta: BDATA of blendermann94.m in Fossen's MSS toolbox, read
+there on 29 November 2026 (its rows 1 to 6, 8 to 13 and 15 to 17)."""
+
+
+def test_blendermann_s_rows_are_those_of_the_toolbox() -> None:
+    assert {name: tuple(row) for name, row in TYPES.items()} == MSS

@@ -22,8 +22,10 @@ from catopt.loads import (
     every_lying,
 )
 from catopt.loads.ship_coefficients import pressure_centre
+from catopt.loads.ship_loads import AIR_DENSITY
 from catopt.loads.tanker_20m import CURRENT, SEA, WATER_DEPTH, WIND, tanker
 from catopt.loads.ufc import transverse_coefficient
+from catopt.loads.weathervane import ShipStreams
 
 from . import ROUNDING
 
@@ -255,3 +257,17 @@ def test_every_direction_and_draught_counts() -> None:
 def test_the_house_at_the_stern_draws_the_windage_aft() -> None:
     """S3's: -15 x 25 x (234 - 25)/2 over 234 x 3.6 + 375 = 1217.4 m2: -32.19 m."""
     assert tanker().lateral_centre == pytest.approx(-32.19, abs=0.005)
+
+
+def test_streams_along_a_ship_without_tables_of_her_own() -> None:
+    """By hand 1/2 rho A_F CX V^2 with Blendermann's 0.90 ahead, 0.55 astern; none abeam."""
+    ship = tanker()
+    streams = ShipStreams(ship, WATER_DEPTH, 1025.0, "tanker loaded")
+    whole = 0.5 * AIR_DENSITY * ship.frontal_area * 20.0**2
+    ahead, abeam, astern = (
+        streams.wind_along(20.0, angle) for angle in (0.0, 0.5 * math.pi, math.pi)
+    )
+    assert ahead == pytest.approx(-0.90 * whole, rel=ROUNDING)
+    assert abeam == pytest.approx(0.0, abs=1e-9 * whole)
+    assert astern == pytest.approx(0.55 * whole, rel=ROUNDING)
+    assert streams.current_along(1.0, 0.0) < 0.0 < streams.current_along(1.0, math.pi)
