@@ -184,8 +184,8 @@ def _page(scores: Sequence[Score], seed: int) -> Iterator[str]:
     yield ""
     yield (
         f"Faults are planted one at a time, drawn at random with the seed {seed}. Tests are those "
-        f"of the part's own folder (of hydro also those of floater) that take at most {LONG:g} s of "
-        "processor time in plain Python."
+        "of the part's own folder (of hydro also those of floater) that take at most "
+        f"{LONG:g} s of processor time in plain Python."
     )
     yield ""
     yield "| part | can be planted | planted | noticed | % | tests | left out |"
