@@ -120,7 +120,19 @@ def _as_figure(result: object) -> Figure:
     return figure_of(result)
 
 
-shown.renderers |= {"html": _as_html, "table": _as_table, "figure": _as_figure}
+def _as_screen(result: object) -> str:
+    from catopt.answers.of_result import answer_of
+    from catopt.render.card import card_lines
+
+    return "\n".join(line.text for line in card_lines(answer_of(result)))
+
+
+shown.renderers |= {
+    "html": _as_html,
+    "screen": _as_screen,
+    "table": _as_table,
+    "figure": _as_figure,
+}
 
 
 def __dir__() -> list[str]:

@@ -17,11 +17,15 @@ _WIDEST = 200
 """Letters of a value that still go into a cell."""
 
 renderers: dict[str, Callable[[Any], Any]] = {}
-"""What shows a result, by ``"html"``, ``"table"`` and ``"figure"``; `catopt` puts them in."""
+"""What shows a result: ``"html"``, ``"screen"``, ``"table"``, ``"figure"``; `catopt` fills it."""
 
 
 class Displayable:
-    """A result, a dataclass, that says its own numbers in a line and leaves what they hold out."""
+    """A result, a dataclass, that says its own numbers in a line and leaves what they hold out.
+
+    A property that returns a ``Literal`` is a `functools.cached_property`: of a result with another
+    one IPython's completer, jedi, completes nothing at all.
+    """
 
     def __repr__(self) -> str:
         said = (f"{name}={_short(value)}" for name, value in _own(self) if _is_short(value))

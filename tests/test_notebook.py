@@ -1,4 +1,7 @@
-"""The notebook in docs/ runs from its first cell to its last."""
+"""The notebook in docs/ runs from its first cell to its last, and has what it gives.
+
+``python -m tests.test_notebook`` puts the outputs in.
+"""
 
 from __future__ import annotations
 
@@ -20,7 +23,6 @@ NOTEBOOK = Path("docs") / "for-moorpy-users.ipynb"
 def cells() -> list[str]:
     document = json.loads(NOTEBOOK.read_text("utf-8"))
     found = [each for each in document["cells"] if each["cell_type"] == "code"]
-    assert all(each["outputs"] == [] for each in found)  # outputs are made by who opens it
     return ["".join(each["source"]) for each in found]
 
 
@@ -47,15 +49,31 @@ def test_the_notebook_runs(capsys: pytest.CaptureFixture[str]) -> None:
     assert len(shown[-1]) > 3
 
 
-@pytest.mark.slow
-def test_a_notebook_shows_a_picture_at_each_plot() -> None:
-    """Run by Jupyter's own client, whose front ends show what it gets."""
+def executed() -> Any:
+    """Run it by Jupyter's own client, whose front ends show what it gets."""
     client = pytest.importorskip("nbclient", reason="optional extra: notebook")
     pytest.importorskip("ipykernel", reason="optional extra: notebook")
     formats = pytest.importorskip("nbformat", reason="optional extra: notebook")
     notebook = formats.read(NOTEBOOK, as_version=4)
     places = {"metadata": {"path": str(Path.cwd())}}
-    client.NotebookClient(notebook, timeout=300, resources=places).execute()
+    run = client.NotebookClient(notebook, timeout=300, resources=places, record_timing=False)
+    return run.execute()
+
+
+def said_in(cell: Any) -> str:
+    """Give the text of a cell's outputs; of a figure there is none but its size."""
+    shown = ["".join(each.get("data", {}).get("text/plain", "")) for each in cell["outputs"]]
+    return "".join((*shown, *("".join(each.get("text", "")) for each in cell["outputs"])))
+
+
+@pytest.mark.slow
+def test_a_notebook_has_its_outputs_and_a_picture_at_each_plot() -> None:
+    notebook = executed()
+    shipped = json.loads(NOTEBOOK.read_text("utf-8"))["cells"]
+    for cell, kept in zip(notebook.cells, shipped, strict=True):
+        if cell.cell_type == "code":
+            assert said_in(cell) == said_in(kept), "write it anew: python -m tests.test_notebook"
+            assert kept["outputs"], cell.source  # every cell ends with something to show
     plots = [each for each in notebook.cells if ".plot()" in each.source]
     assert len(plots) == 2
     for cell in plots:
@@ -97,3 +115,9 @@ def test_a_type_checker_passes_what_the_pages_show(tmp_path: Path) -> None:
     cache = ["--cache-dir", str(tmp_path / "cache")]
     checked = subprocess.run([*command, *cache], capture_output=True, text=True, check=False)
     assert checked.returncode == 0, checked.stdout
+
+
+if __name__ == "__main__":
+    import nbformat
+
+    nbformat.write(executed(), NOTEBOOK)

@@ -54,7 +54,38 @@ def results() -> dict[str, Any]:
 NAMES = ["solution", "curve", "checks", "design", "sizing", "verification"]
 
 
-@pytest.mark.parametrize("name", [*NAMES, "system"])
+def test_a_sizing_is_its_first_screen() -> None:
+    sizing = results()["sizing"]
+    lines = repr(sizing).splitlines()
+    assert lines[0] == sizing.case.title
+    assert " ".join(lines[1:3]) == sizing.one_line
+    assert len(lines) <= 22
+    assert max(map(len, lines)) <= 80
+
+
+def test_a_sizing_has_what_one_asks_for_first() -> None:
+    """Of the tanker at rest: what the first line of its screen says, and whether it passes."""
+    sizing = results()["sizing"]
+    assert sizing.passes is True
+    assert f"{sizing.chain.segment.nominal_diameter * 1e3:.0f} mm" in repr(sizing).splitlines()[1]
+    assert sizing.sinker is None  # on a drag anchor
+    assert sizing.drag_anchor.mass > 0.0
+
+
+@pytest.mark.slow
+def test_a_notebook_completes_every_result() -> None:
+    """As IPython does: by jedi, which must not fail on one attribute, for it then has none."""
+    jedi = pytest.importorskip("jedi", reason="optional extra: notebook")
+    displayed = [each for each in every_kind(Displayable) if each.__module__ != __name__]
+    for each in (*displayed, *returned()):
+        code = "x."
+        found = jedi.Interpreter(code, [{"x": object.__new__(each)}]).complete(1, len(code))
+        assert len(found) > 1, each
+    catopt_names = jedi.Interpreter("catopt.size_buoy(wi", [{"catopt": catopt}]).complete()
+    assert "wind=" in [each.name_with_symbols for each in catopt_names]
+
+
+@pytest.mark.parametrize("name", [*(each for each in NAMES if each != "sizing"), "system"])
 def test_a_result_is_a_line_or_two(name: str) -> None:
     """They were up to 650,000 letters."""
     said = repr(results()[name])
@@ -62,10 +93,10 @@ def test_a_result_is_a_line_or_two(name: str) -> None:
     assert len(said) < 600
 
 
-def kinds_of(of: type) -> set[str]:
-    """Name the classes that are made from one, over any number of steps."""
+def every_kind(of: type) -> set[type]:
+    """List the classes that are made from one, over any number of steps."""
     made: list[type] = of.__subclasses__()
-    return {name for each in made for name in {each.__name__} | kinds_of(each)}
+    return {kind for each in made for kind in {each} | every_kind(each)}
 
 
 def test_every_result_is_in_the_registry() -> None:
@@ -73,7 +104,7 @@ def test_every_result_is_in_the_registry() -> None:
     for found in pkgutil.walk_packages(catopt.__path__, "catopt."):
         if not found.name.endswith("__main__"):
             importlib.import_module(found.name)
-    assert kinds_of(Displayable) == set(layouts())
+    assert {each.__name__ for each in every_kind(Displayable)} == set(layouts())
 
 
 @pytest.mark.parametrize("name", [*NAMES, "system", "point"])

@@ -159,6 +159,13 @@ def read_case(path: str | os.PathLike[str]) -> Any:
     ------
     InputError
         When the file cannot be read, or with every problem of what it says.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> case = catopt.read_case("cases/buoy-9.5m/case.toml")
+    >>> case.title, case.line.length
+    ('Marker buoy, 9.5 m', 20.0)
     """
     return read_mooring(path)
 

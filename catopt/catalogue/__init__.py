@@ -86,6 +86,13 @@ def component(
     InputError
         With every problem: no such family, grade or variant, or a diameter outside the range in
         which its figures hold.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> chain = catopt.component("chain studless R3", "76 mm")
+    >>> f"{chain.mass:.1f} kg/m, {chain.MBL / 1e3:.0f} kN"
+    '115.5 kg/m, 4884 kN'
     """
     return (among or standard()).component(
         family,

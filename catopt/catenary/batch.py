@@ -180,6 +180,14 @@ def solve_many(
     InputError
         When shapes do not fit, not exactly one load is given, or something is no number: masked
         values, booleans and dates are none. Quantities of pint, astropy and unyt are converted.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> line = catopt.Line([catopt.Segment(100.0, 900.0)])
+    >>> many = catopt.solve_many(line, height=60.0, span=[75.0, 79.0, 120.0])
+    >>> many.converged.tolist(), f"{many.tension[0] / 1e3:.1f} kN"
+    ([True, True, False], '108.0 kN')
     """
     given = _in_si(
         horizontal_force=horizontal_force,

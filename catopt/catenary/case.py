@@ -42,6 +42,20 @@ def solve_case(
         The particle swarm takes what docs/theory.md says it carries, and refuses the rest.
     progress : callable, optional
         Called after each run of the swarm with the number of runs done.
+
+    Raises
+    ------
+    InputError, NoEquilibriumError, NotConvergedError
+        As for `solve`.
+    FloatsUpError
+        A buoy of the line would be above the water.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> solution = catopt.solve_case(catopt.read_case("cases/buoy-9.5m/case.toml"))
+    >>> f"{solution.span:.3f} m, {solution.fairlead.tension / 9806.65:.3f} tf"  # S1: 17.430, 0.446
+    '17.430 m, 0.446 tf'
     """
     case = require_case(case)
     if case.site.is_in_air:

@@ -135,6 +135,14 @@ def curve_case(
     InputError, NoAnswerError, NotConvergedError
         As for `solve_case` and `load_curve`; the range's problems have the keys ``start``,
         ``stop`` and ``points``.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> case = catopt.read_case("cases/tanker-20m-sinker/case.toml")
+    >>> frame = catopt.curve_case(case, points=3).to_dataframe()
+    >>> list(frame.columns[:2]), len(frame)
+    (['Span S (m)', 'Offset (m)'], 3)
     """
     found = Findings("curve")
     found.word("over", over, STEPPED)

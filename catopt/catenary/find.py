@@ -159,6 +159,18 @@ def find_touchdown_force(line: Line, *, height: float, seabed_friction: float = 
         Anchored on the bed.
     height, seabed_friction
         As for `solve`.
+
+    Raises
+    ------
+    InputError, NoEquilibriumError
+        As for `solve`: the line is too short, say.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> line = catopt.Line([catopt.Segment(100.0, 900.0)])
+    >>> f"{catopt.find_touchdown_force(line, height=60.0).value:.0f} N"  # 450 (100**2 / 60 - 60)
+    '48000 N'
     """
     height, seabed_friction = _taken(
         "find_touchdown_force", height=height, seabed_friction=seabed_friction
@@ -204,6 +216,15 @@ def find_clump_weight(
     ------
     NoAnswerError
         When the angle is no larger without it, or no weight brings it down.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> hung = catopt.PointLoad(position=20.0, submerged_weight=1e4)
+    >>> line = catopt.Line([catopt.Segment(100.0, 900.0)], [hung])
+    >>> found = catopt.find_clump_weight(line, height=60.0, horizontal_force=1e5)
+    >>> f"{found.value / 1e3:.1f} kN, {found.solution.anchor.angle:.3f} rad"
+    '55.3 kN, 0.000 rad'
     """
     height, horizontal_force, span, fairlead_tension, *on_the_bed = _taken(
         "find_clump_weight",
@@ -322,6 +343,14 @@ def find_limit_force(
     ------
     NoAnswerError
         When what hangs from the fairlead takes a segment beyond its limit at any force.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> line = catopt.Line([catopt.Segment(100.0, 900.0, MBL=1e6)])
+    >>> found = catopt.find_limit_force(line, height=60.0, safety_factor=2.0)
+    >>> f"{found.value / 1e3:.1f} kN, {found.solution.fairlead.tension / 1e3:.1f} kN"
+    '376.7 kN, 500.0 kN'
     """
     height, safety_factor, seabed_friction, anchor_height = _taken(
         "find_limit_force",

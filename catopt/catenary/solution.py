@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import count
 from typing import Annotated, Any, Literal, NotRequired, TypedDict
 
@@ -184,7 +185,7 @@ class FoundQuantity(Record):
     number: Counted | None = None
     """Which segment or clump weight, counted from 1 at the anchor; None for a force."""
 
-    @property
+    @cached_property
     def unit(self) -> Literal["m", "N"]:
         """Of value: m for a length, N for a weight or a force."""
         return "m" if self.quantity == "length" else "N"
@@ -248,7 +249,7 @@ class Solution(Displayable, Record):
     found: FoundQuantity | None = None
     """Only when the case seeks something: what was found. The rest is the line that has it."""
 
-    @property
+    @cached_property
     def status(self) -> Literal["converged"]:
         """A solve that does not converge gives no answer."""
         return "converged"

@@ -76,6 +76,13 @@ def check_case(case: Case | Network) -> CheckReport:
         missing; all of them at once.
     NoEquilibriumError, NotConvergedError
         As for `solve`; the message names the load case.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> report = catopt.check_case(catopt.read_case("cases/tanker-20m-sinker/case.toml"))
+    >>> report.passes, [result.kind for result in report.results]
+    (True, ['tension'])
     """
     if isinstance(case, Network):
         from catopt.checks.system import check_network

@@ -279,6 +279,13 @@ def design_case(
         space is too large to be enumerated.
     NoFeasibleDesignError
         No design passes every check; it names the one that fails by the least.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> result = catopt.design_case(catopt.read_case("cases/design-buoy-9.5m/case.toml"))
+    >>> len(result.front), all(point.checks.passes for point in result.front)
+    (21, True)
     """
     case = require_case(case)
     if case.design is not None and case.design.in_motion:

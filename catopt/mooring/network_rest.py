@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Annotated, Literal, NamedTuple
 
 from catopt.catenary.in_current import CurrentEffect, SolutionInCurrent
@@ -304,7 +305,7 @@ class NetworkReport(Record):
         """Of the file; empty when it has none."""
         return self.states[0].network.title
 
-    @property
+    @cached_property
     def status(self) -> Literal["converged"]:
         """What did not converge is never written."""
         return "converged"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Annotated, Literal, overload
 
 from catopt.catenary.equilibrium import BY_SPAN
@@ -162,12 +163,12 @@ class SystemSolution(Displayable, Record):
     title: str = ""
     """Title of the case; empty when it has none."""
 
-    @property
+    @cached_property
     def method(self) -> Literal["closed-form"]:
         """How it was solved."""
         return "closed-form"
 
-    @property
+    @cached_property
     def status(self) -> Literal["converged"]:
         """What did not converge is never written."""
         return "converged"

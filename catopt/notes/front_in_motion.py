@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, wait
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import partial
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
@@ -59,7 +59,7 @@ class DesignInMotion(Record):
     failure: str = ""
     """Why there is no answer; empty where there is one."""
 
-    @property
+    @cached_property
     def verdict(self) -> Verdict | Literal["no answer"]:
         """Whether a second run bears out the maxima."""
         return "no answer" if self.found is None else self.found.verdict

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from hashlib import sha256
 from pathlib import Path
 from typing import Literal
@@ -52,7 +53,7 @@ class VerifiedInBrief(Record):
     failure: str = ""
     """Why the truss model has no answer; empty where it has one."""
 
-    @property
+    @cached_property
     def verdict(self) -> Verdict | Literal["no answer"]:
         """As of catopt.verify/1."""
         return "no answer" if self.verification is None else self.verification.verdict

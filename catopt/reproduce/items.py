@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, fields
 from decimal import Decimal
-from functools import cache
+from functools import cache, cached_property
 from importlib.resources import files
 from typing import Annotated, Any, Final, Literal
 
@@ -98,7 +98,7 @@ class Item(Record):
     remark: str = ""
     """What a reader should know beside the verdict."""
 
-    @property
+    @cached_property
     def verdict(self) -> Verdict:
         """Reproduces: the computed number, rounded as printed, has every printed digit."""
         return self.judgement.verdict

@@ -208,6 +208,12 @@ def read_sizing(path: str | os.PathLike[str]) -> BuoyRequest | TankerRequest:
     ------
     InputError
         When it cannot be read, or with every mistake in it, each by its key.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> catopt.read_sizing("cases/size-tanker/sizing.toml").title
+    'Tanker of 50,000 DWT in 20 m'
     """
     file = read_file(path, moored_in(path) or "buoy")
     with file.reporting():

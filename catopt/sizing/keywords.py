@@ -2,115 +2,82 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import TypedDict, Unpack
+from collections.abc import Callable, Mapping, Sequence
+from inspect import getdoc
+from typing import Final, Never
 
 from catopt.casefile.reading import Moored
 from catopt.errors import refused
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest
+from catopt.sizing.inputs import Input, inputs_of
 from catopt.sizing.known import known
 from catopt.sizing.requests import size
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import TankerRequest
+from catopt.units import Dimension
 from catopt.words import Message
 
 
-class _Inputs(TypedDict, total=False):
-    """What any sizing may be told: numbers in SI, or texts with units."""
-
-    title: str
-    source: str
-    max_swing: float | str
-    buoy: str
-    buoys: str
-    depth: float | str
-    low_water: float | str
-    water_density: float | str
-    wind: float | str
-    return_period: float | str
-    current: float | str
-    hs: float | str
-    hmax: float | str
-    period: float | str
-    chain: str | Sequence[str]
-    diameter_min: float | str
-    diameter_max: float | str
-    length_step: float | str
-    prefer: str
-    swing_price: float | str
-    sinker: str
-    sinker_density: float | str
-    soil: str
-    friction: float | str
-    base_area: float | str
-    embedment: float | str
-    code: str
-    recalled: bool
-    life: float | str
-    wear: float | str
-    dynamic_factor: float | str
-    in_motion: bool
-    at_rest: bool
-    seeds: int
-    run_time: float | str
-    peak_period: float | str | Sequence[float | str]
-    sea_height: float | str | Sequence[float | str]
-    period_range: bool
-
-
-class BuoyInputs(_Inputs, total=False):
-    """What the sizing of a buoy may be told."""
-
-    force: float | str
-    reserve_buoyancy: float | str
-    keel_depth: float | str
-    wave_height: str
-    chain_waves: bool
-    load_method: str
-    other_lengths: int
-    max_slide: float | str
-    centre_of_gravity: float | str
-    max_heel: float | str
-    growth: float | str
-    scope_min: float | str
-    scope: float | str
-    scope_max: float | str
-
-
-class TankerInputs(_Inputs, total=False):
-    """What the sizing of a tanker may be told."""
-
-    ship: str
-    dwt: float | str
-    length: float | str
-    breadth: float | str
-    draught: float | str
-    ballast_draught: float | str
-    condition: str | Sequence[str]
-    moulded_depth: float | str
-    frontal_area: float | str
-    lateral_area: float | str
-    fairlead: float | str
-    coefficients: str
-    hawser: float | str
-    wind_mean: float | str
-    load_method: str | Sequence[str]
-    wave_coefficient: float | str
-    wind_angle: float | str
-    current_angle: float | str
-    wave_angle: float | str
-    current_yaw: str
-    scan: float | str
-    clump_weight: float | str | Sequence[float | str]
-    lines: int
-    pretension: float | str
-    anchor: str
-    service_type: str
-
-
-def size_buoy(request: BuoyRequest | str | None = None, /, **inputs: Unpack[BuoyInputs]) -> Sizing:
+def size_buoy(
+    request: BuoyRequest | str | None = None,
+    /,
+    *,
+    title: str | None = None,
+    source: str | None = None,
+    max_swing: float | str | None = None,
+    buoy: str | None = None,
+    buoys: str | None = None,
+    force: float | str | None = None,
+    reserve_buoyancy: float | str | None = None,
+    keel_depth: float | str | None = None,
+    depth: float | str | None = None,
+    low_water: float | str | None = None,
+    water_density: float | str | None = None,
+    wind: float | str | None = None,
+    return_period: float | str | None = None,
+    current: float | str | None = None,
+    hs: float | str | None = None,
+    hmax: float | str | None = None,
+    period: float | str | None = None,
+    load_method: str | None = None,
+    wave_height: str | None = None,
+    chain_waves: bool | None = None,
+    growth: float | str | None = None,
+    chain: str | Sequence[str] | None = None,
+    diameter_min: float | str | None = None,
+    diameter_max: float | str | None = None,
+    length_step: float | str | None = None,
+    prefer: str | None = None,
+    scope_min: float | str | None = None,
+    scope: float | str | None = None,
+    scope_max: float | str | None = None,
+    swing_price: float | str | None = None,
+    sinker: str | None = None,
+    sinker_density: float | str | None = None,
+    soil: str | None = None,
+    friction: float | str | None = None,
+    base_area: float | str | None = None,
+    embedment: float | str | None = None,
+    code: str | None = None,
+    recalled: bool | None = None,
+    life: float | str | None = None,
+    wear: float | str | None = None,
+    in_motion: bool | None = None,
+    at_rest: bool | None = None,
+    seeds: int | None = None,
+    run_time: float | str | None = None,
+    peak_period: float | str | Sequence[float | str] | None = None,
+    sea_height: float | str | Sequence[float | str] | None = None,
+    period_range: bool | None = None,
+    other_lengths: int | None = None,
+    max_slide: float | str | None = None,
+    max_heel: float | str | None = None,
+    centre_of_gravity: float | str | None = None,
+    dynamic_factor: float | str | None = None,
+    **misspelt: Never,
+) -> Sizing:
     """Size the chain and the sinker of a buoy.
 
     Parameters
@@ -118,9 +85,9 @@ def size_buoy(request: BuoyRequest | str | None = None, /, **inputs: Unpack[Buoy
     request : str or BuoyRequest, optional
         Name of a buoy; or buoy, place, weather and line as objects, or what `catopt.read_sizing`
         made of a file.
-    **inputs
-        Beside a name or nothing, what is known, by the names in docs/sizing.md: numbers in SI, or
-        texts with units. What is left out is taken, and said in ``defaults``.
+    **misspelt
+        Refused, with the nearest keyword. The others, beside a name or nothing, are numbers in the
+        unit named or texts with units; what is None is left out, and said in ``defaults``:
 
     Returns
     -------
@@ -138,24 +105,93 @@ def size_buoy(request: BuoyRequest | str | None = None, /, **inputs: Unpack[Buoy
     --------
     >>> import catopt
     >>> sizing = catopt.size_buoy("pillar 1.8 m", depth="12 m")
-    >>> [segment.name for segment in sizing.point.line.segments]
-    ['chain open-link 4D Q2 30 mm']
+    >>> sizing.passes, sizing.chain.segment.name, f"{sizing.own_sinker.mass / 1e3:g} t"
+    (True, 'chain open-link 4D Q2 30 mm', '8 t')
+    >>> print(str(sizing).splitlines()[1])
+    30 mm open-link chain 4D Q2, 38 m, on a concrete sinker of 8 t
     """
-    if isinstance(request, str) and "buoy" not in inputs:
-        return _sized("buoy", None, {"buoy": request, **inputs})
-    return _sized("buoy", request, inputs)
+    return _sized("buoy", **locals())
 
 
-def size_tanker(request: TankerRequest | None = None, /, **inputs: Unpack[TankerInputs]) -> Sizing:
+def size_tanker(
+    request: TankerRequest | None = None,
+    /,
+    *,
+    title: str | None = None,
+    source: str | None = None,
+    max_swing: float | str | None = None,
+    ship: str | None = None,
+    dwt: float | str | None = None,
+    length: float | str | None = None,
+    breadth: float | str | None = None,
+    draught: float | str | None = None,
+    ballast_draught: float | str | None = None,
+    condition: str | Sequence[str] | None = None,
+    moulded_depth: float | str | None = None,
+    frontal_area: float | str | None = None,
+    lateral_area: float | str | None = None,
+    fairlead: float | str | None = None,
+    coefficients: str | None = None,
+    buoy: str | None = None,
+    buoys: str | None = None,
+    hawser: float | str | None = None,
+    depth: float | str | None = None,
+    low_water: float | str | None = None,
+    water_density: float | str | None = None,
+    wind: float | str | None = None,
+    wind_mean: float | str | None = None,
+    return_period: float | str | None = None,
+    current: float | str | None = None,
+    hs: float | str | None = None,
+    hmax: float | str | None = None,
+    period: float | str | None = None,
+    load_method: str | Sequence[str] | None = None,
+    wave_coefficient: float | str | None = None,
+    wind_angle: float | str | None = None,
+    current_angle: float | str | None = None,
+    wave_angle: float | str | None = None,
+    current_yaw: str | None = None,
+    scan: float | str | None = None,
+    chain: str | Sequence[str] | None = None,
+    diameter_min: float | str | None = None,
+    diameter_max: float | str | None = None,
+    length_step: float | str | None = None,
+    prefer: str | None = None,
+    swing_price: float | str | None = None,
+    clump_weight: float | str | Sequence[float | str] | None = None,
+    lines: int | None = None,
+    pretension: float | str | None = None,
+    anchor: str | None = None,
+    soil: str | None = None,
+    sinker: str | None = None,
+    sinker_density: float | str | None = None,
+    friction: float | str | None = None,
+    base_area: float | str | None = None,
+    embedment: float | str | None = None,
+    code: str | None = None,
+    recalled: bool | None = None,
+    life: float | str | None = None,
+    wear: float | str | None = None,
+    service_type: str | None = None,
+    in_motion: bool | None = None,
+    at_rest: bool | None = None,
+    seeds: int | None = None,
+    run_time: float | str | None = None,
+    peak_period: float | str | Sequence[float | str] | None = None,
+    sea_height: float | str | Sequence[float | str] | None = None,
+    period_range: bool | None = None,
+    dynamic_factor: float | str | None = None,
+    **misspelt: Never,
+) -> Sizing:
     """Size the chain and the anchor of a tanker's mooring.
 
     Parameters
     ----------
     request : TankerRequest, optional
         Ship, place, weather and mooring as objects, or what `catopt.read_sizing` made of a file.
-    **inputs
-        In place of it, what is known, by the names in docs/sizing.md: numbers in SI, or texts with
-        units. What is left out is taken or estimated, and said in ``defaults``.
+    **misspelt
+        Refused, with the nearest keyword. The others, in place of a request, are numbers in the
+        unit named or texts with units; what is None is left out, and said in ``defaults``:
 
     Returns
     -------
@@ -168,11 +204,23 @@ def size_tanker(request: TankerRequest | None = None, /, **inputs: Unpack[Tanker
         With every mistake, each by its keyword.
     NoAnswerError
         Nothing that is sold passes every check; the buoy does not carry all lines.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> sizing = catopt.size_tanker(dwt="50000 t", depth="20 m", at_rest=True)
+    >>> sizing.passes, f"{sizing.chain.line.length:g} m"
+    (True, '206.25 m')
     """
-    return _sized("tanker", request, inputs)
+    return _sized("tanker", **locals())
 
 
-def _sized(moored: Moored, request: object, inputs: Mapping[str, object]) -> Sizing:
+def _sized(
+    moored: Moored, /, request: object, misspelt: Mapping[str, object], **keywords: object
+) -> Sizing:
+    inputs = {name: value for name, value in keywords.items() if value is not None} | misspelt
+    if isinstance(request, str) and moored == "buoy" and "buoy" not in inputs:
+        inputs, request = {"buoy": request, **inputs}, None
     if isinstance(request, BuoyRequest) and moored == "buoy" and not inputs:
         return sized_buoy(request)
     if isinstance(request, TankerRequest) and moored == "tanker" and not inputs:
@@ -182,3 +230,25 @@ def _sized(moored: Moored, request: object, inputs: Mapping[str, object]) -> Siz
         return size(known(moored, inputs, source=source))
     allowed = Message("refused_sizing.request_wanted_or_keywords_not", moored=moored)
     raise refused("request", f"a {type(request).__name__}", allowed, source)
+
+
+def _inputs(moored: Moored) -> str:
+    """Write every input of the table as a parameter: its unit, what it is, and what is taken."""
+    rows = inputs_of(moored)
+    named = {name: name for name in (*inputs_of("tanker"), *rows)}
+    return "\n".join(_parameter(each, named) for each in rows.values())
+
+
+def _parameter(each: Input, named: Mapping[str, str]) -> str:
+    kind = {"COUNT": "whole number", "FLAG": "bool"}.get(each.takes, "text")
+    kind = Dimension[each.takes].si_unit or "-" if each.is_measure else kind
+    said = f"{Message(f'inputs.{each.name}')}{': ' * bool(each.words)}{', '.join(each.words)}"
+    taken = Message(each.left_out, **named) if each.left_out else each.default
+    said += Message("left_out.if_left_out", taken=taken) if taken else ""
+    return f"{each.name} : {kind}, such as {each.example!r}\n    {said}."
+
+
+_MOORED: Final[dict[Callable[..., Sizing], Moored]] = {size_buoy: "buoy", size_tanker: "tanker"}
+for _function, _moored in _MOORED.items():
+    _head, _, _tail = (getdoc(_function) or "").partition("\n\nReturns\n")
+    _function.__doc__ = f"{_head}\n{_inputs(_moored)}\n\nReturns\n{_tail}"

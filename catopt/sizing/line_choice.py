@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field, replace
-from functools import cache
+from functools import cache, cached_property
 from typing import Final, Literal, cast, get_args
 
 from catopt.catalogue.choice import chosen
@@ -164,7 +164,7 @@ class LineChoice:
         code = self.code if profiles_of(self.checks)[0].method else _GENERAL_CODE
         return Message("sizing.factor_of_code", code=code, motion=self.method.motion)
 
-    @property
+    @cached_property
     def looks_for(self) -> Prefer:
         """Which design of the front is recommended."""
         return self.prefer or cast("Prefer", self.method.prefer)

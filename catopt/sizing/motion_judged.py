@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Final, NamedTuple
 
 from catopt.catenary.solution import Solution
@@ -59,7 +60,7 @@ class Judged:
     checks: CheckReport | None = None
     seas: tuple[TightestSea, ...] = ()
 
-    @property
+    @cached_property
     def verdict(self) -> Verdict:
         """Whether its runs came to the same again, at a finer step and with more bars."""
         return worst_verdict(each.verdict for each in self.parts)

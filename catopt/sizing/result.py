@@ -18,7 +18,7 @@ from catopt.loads.sinker import SinkerSize
 from catopt.model import Case, Line, LoadCase, Segment
 from catopt.model.kinds import Duration, Factor, Height, Positive, SomeForce
 from catopt.records import Counted, Record
-from catopt.shown import Displayable
+from catopt.shown import Displayable, renderers
 from catopt.sizing.alternatives import Alternative, Candidate, Limit
 from catopt.sizing.in_motion import InMotion
 from catopt.sizing.known import ReadInput, estimated_dimensions, small_craft
@@ -184,10 +184,20 @@ class Sizing(Displayable, Record):
     sized at rest alone."""
     shape: BuoyShape | None = None  # of the buoy that is moored, where it is known
 
+    def __repr__(self) -> str:
+        """Lay out what ``catopt size`` prints first."""
+        screen: str = renderers["screen"](self)
+        return screen
+
     @property
     def judgement(self) -> Judgement:
         """What the recommended line comes to, and what was not judged."""
         return judgement_of(self)
+
+    @property
+    def passes(self) -> bool | None:
+        """Whether what was judged passes: at rest and, where it was run, in motion."""
+        return self.judgement.passes
 
     @property
     def case(self) -> Case:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence, Set
 from contextlib import nullcontext
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any, Literal
 
 from catopt.catenary.case import as_found, solve_case
@@ -466,7 +467,7 @@ class DesignVerification(Record):
     did_not_converge: bool = False
     """Whether that was a solver that stopped short."""
 
-    @property
+    @cached_property
     def verdict(self) -> Verdict | Literal["no answer"]:
         """Of all that was verified."""
         return "no answer" if self.verification is None else self.verification.verdict
@@ -501,7 +502,7 @@ class FrontVerification(Record):
         parts = [each.static for each in self.verified]
         return least_agreeing(parts) if parts else None
 
-    @property
+    @cached_property
     def verdict(self) -> Verdict | Literal["no answer"]:
         """The one of a design that outweighs the others; ``"no answer"`` where one has none."""
         verdicts = [each.verdict for each in self.verified]

@@ -116,6 +116,14 @@ def verify_dynamic(
         When there is no equilibrium to start from.
     NotConvergedError
         When a step does not close, or what is computed is the scheme's own ringing.
+
+    Examples
+    --------
+    >>> import catopt
+    >>> case = catopt.read_case("tests/answers/cases/at-sea.toml")
+    >>> moved = catopt.verify_dynamic(case, convergence_check="none")
+    >>> moved.verdict  # for nothing was run again at a finer step
+    'not proven'
     """
     if workers is not None and workers < 1:
         allowed = Message("refused_command.n_1_or_more_processes")

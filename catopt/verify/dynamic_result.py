@@ -369,7 +369,7 @@ class DynamicPart(Record):
             for each in self.added_changes
         )
 
-    @property
+    @cached_property
     def verdict(self) -> Verdict:
         """Whether what decides hangs on the step or the bars: by `decides`, and by no check."""
         worst = self.worst_change
@@ -525,7 +525,7 @@ class DynamicVerification(Displayable, Record):
     checks: ChecksInMotion | None = None
     """In motion, by the factors for dynamic analysis; None where they were not made."""
 
-    @property
+    @cached_property
     def drag_axial_area(self) -> Literal["D"]:
         """Area per length that drag along the line goes with: pi D of a file is converted."""
         return "D"
@@ -535,7 +535,7 @@ class DynamicVerification(Displayable, Record):
         """Of the bed at rest: the line was last pulled, or laid under more tension, or neither."""
         return None if self.case.dynamics is None else self.case.dynamics.initial_friction
 
-    @property
+    @cached_property
     def verdict(self) -> Verdict:
         """That of the load cases together."""
         return worst_verdict(part.verdict for part in self.parts)

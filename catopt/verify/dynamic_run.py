@@ -92,7 +92,7 @@ class OverRuns(Record):
     """What checks are held against: that of the tail, of a line that goes slack by Gumbel's
     distribution of the maxima of every minute."""
 
-    @property
+    @cached_property
     def unit(self) -> Literal["N", "m", "rad", ""]:
         """SI, of the numbers below; empty for a part of a whole."""
         if self.quantity in _IN_METRES:

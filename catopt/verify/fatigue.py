@@ -235,7 +235,7 @@ class FatigueReport(Record):
         """Whether the utilisation of every segment is at most 1."""
         return all(each.utilisation <= 1.0 for each in self.segments)
 
-    @property
+    @cached_property
     def verdict(self) -> Verdict:
         """What the runs say of their maxima, and of the ranges behind a damage at half the step."""
         if any(each.change is not None and each.change > LIMIT for each in self.segments):

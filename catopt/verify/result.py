@@ -5,6 +5,7 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Annotated, Any, Literal, NamedTuple, NotRequired, TypedDict
 
 import numpy as np
@@ -297,7 +298,7 @@ class StaticComparison(Record):
         """Whether every gap is within its tolerance."""
         return all(each.agrees for each in self.quantities)
 
-    @property
+    @cached_property
     def verdict(self) -> Verdict:
         """Whether they agree; not resolved: the truss model itself may be off by the difference."""
         if self.is_settled:
@@ -363,7 +364,7 @@ class Verification(Displayable, Record):
         """The load case, or design, in which the models agree least; None without any."""
         return self.static if self.parts else None
 
-    @property
+    @cached_property
     def verdict(self) -> Verdict:
         """Of all that was verified; not compared where the bed slopes: there is no closed form."""
         verdicts = [part.verdict for part in self.parts]
