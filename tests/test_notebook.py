@@ -56,7 +56,7 @@ def executed() -> Any:
     formats = pytest.importorskip("nbformat", reason="optional extra: notebook")
     notebook = formats.read(NOTEBOOK, as_version=4)
     places = {"metadata": {"path": str(Path.cwd())}}
-    run = client.NotebookClient(notebook, timeout=300, resources=places, record_timing=False)
+    run = client.NotebookClient(notebook, timeout=None, resources=places, record_timing=False)
     return run.execute()
 
 

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 
 def layouts() -> dict[str, Callable[[Any], Answer]]:
     """List what lays a result out, by the name of its class."""
+    from catopt.answers.again import again_answer
     from catopt.answers.check import check_answer
     from catopt.answers.design import design_answer
     from catopt.answers.motion import motion_answer
@@ -34,6 +35,7 @@ def layouts() -> dict[str, Callable[[Any], Answer]]:
         "DesignPoint": _design,
         "DesignResult": design_answer,
         "DynamicVerification": motion_answer,
+        "NoteAgain": again_answer,
         "Sizing": size_answer,
         "Solution": _solution,
         "SolutionInCurrent": _solution,

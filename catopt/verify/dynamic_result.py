@@ -530,7 +530,7 @@ class DynamicVerification(Displayable, Record):
         """Area per length that drag along the line goes with: pi D of a file is converted."""
         return "D"
 
-    @property
+    @cached_property
     def initial_friction(self) -> InitialFriction | None:
         """Of the bed at rest: the line was last pulled, or laid under more tension, or neither."""
         return None if self.case.dynamics is None else self.case.dynamics.initial_friction
