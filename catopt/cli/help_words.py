@@ -198,7 +198,7 @@ _REFUSED: Final = (
     (r"Input should be a valid number\b.*", r"cần một số"),
     (r"Option ('.*?') requires an argument\.?", r"Tùy chọn \1 cần một giá trị."),
     (r"Option ('.*?') requires (\d+) arguments\.?", r"Tùy chọn \1 cần \2 giá trị."),
-    (r"Got unexpected extra argument\(s\) \((.*)\)", r"Thừa tham số: \1"),
+    (r"Got unexpected extra arguments?(?:\(s\))? \((.*?)\)", r"Thừa tham số: \1"),
 )
 """What typer says of a command line that it cannot read."""
 
@@ -216,12 +216,30 @@ def run(command: Any, language: Language, **options: Any) -> int:
     return status if isinstance(status, int) else 0
 
 
+def _meant(said: str, context: Any) -> str:
+    """Say which option a bare length may be meant for: the depth, where the command takes one."""
+    from catopt.errors import InputError
+    from catopt.units import Dimension, bare_number, to_si
+
+    found = re.fullmatch(r"Got unexpected extra arguments?(?:\(s\))? \((\S+(?: m)?)\)\.?", said)
+    options = {name for each in context.command.params for name in each.opts}
+    if found is None or "--depth" not in options:
+        return ""
+    try:
+        to_si(bare_number(found[1]), Dimension.LENGTH)
+    except InputError:
+        return ""
+    quote = '"' if " " in found[1] else ""
+    return f". Did you mean --depth {quote}{found[1]}{quote}?"
+
+
 def _tell(error: Any, language: Language) -> int:
     context = getattr(error, "ctx", None)
     if type(error).__name__ == "NoArgsIsHelpError" or context is None:
         error.show()
     else:
         said, usage = error.format_message().replace("Value error, ", ""), context.get_usage()
+        said += _meant(said, context)
         hint, label = f"Try '{context.command_path} -h' for help.", "Error"
         if language == "vi":
             for english, vietnamese in _REFUSED:

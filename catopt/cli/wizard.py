@@ -40,7 +40,8 @@ def answered(
     ]
     if not missing or sys.stdin is None or not sys.stdin.isatty():
         return answers
-    for name, each in inputs.items():
+    # What is moored, where and in what weather come first; the room is a question of its own.
+    for name, each in sorted(inputs.items(), key=lambda pair: pair[0] == "max_swing"):
         is_known = {**given, **answers}
         is_held = name == "max_swing" and str(is_known.get("lines", 1)) != "1"  # by several lines
         if each.asked and name not in is_known and not is_needless(each, is_known) and not is_held:

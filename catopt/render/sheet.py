@@ -121,10 +121,10 @@ class Book:
     def sheet(self, name: str) -> WorkbookSheet:
         """Add a sheet whose first row stays in sight; its tab has the name, made short and free."""
         said, used = self.say(name), {sheet.name.casefold() for sheet in self._sheets}
-        tab, number = said[:_MOST_NAME], 1
+        tab, number = _whole_words(said, _MOST_NAME), 1
         while tab.casefold() in used:
             number += 1
-            tab = f"{said[: _MOST_NAME - 3]} {number}"
+            tab = f"{_whole_words(said, _MOST_NAME - 3)} {number}"
         worksheet = self.workbook.add_worksheet(tab)
         worksheet.freeze_panes(1, 0)
         worksheet.set_landscape()
@@ -286,6 +286,13 @@ class WorkbookSheet:
         ]
         if max(lines, default=1) > 1:
             self.worksheet.set_row(row, _LINE_HEIGHT * max(lines))
+
+
+def _whole_words(name: str, most: int) -> str:
+    """Cut a name to so many letters, after a whole word where it has several."""
+    if len(name) <= most:
+        return name
+    return name[: most + 1].rpartition(" ")[0].rstrip(" ,:-(") or name[:most]
 
 
 def number_pattern(quantity: Quantity | None, si: float = 0.0) -> str:

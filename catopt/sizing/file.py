@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import Path as FilePath
 from types import MappingProxyType
 from typing import Any, Final
@@ -34,6 +34,7 @@ from catopt.sizing.tanker_request import TankerRequest
 from catopt.words import Message
 
 _NOTHING: Final[Mapping[str, object]] = MappingProxyType({})
+_NOTHING_READ: Final[Mapping[str, str]] = MappingProxyType({})
 
 
 @dataclass(frozen=True)
@@ -45,6 +46,7 @@ class SizingFile:
     folder: str  # that paths in it count from
     document: dict[str, Any]  # as the TOML reader returns it
     findings: tuple[Finding, ...]  # what is wrong with it in itself
+    cells: Mapping[str, str] = field(default_factory=dict)  # of a workbook: where it has each key
 
     def known(
         self,
@@ -134,7 +136,13 @@ class SizingFile:
             else:
                 others.append(problem)
         ordered = in_order_of(self.document, list(dict.fromkeys(found)))
-        return InputError([*(each.as_problem() for each in ordered), *others], self.source)
+        told = (self._in_its_cell(each.as_problem()) for each in ordered)
+        return InputError([*told, *others], self.source)
+
+    def _in_its_cell(self, problem: Problem) -> Problem:
+        """Put the cell before the key of what a workbook has."""
+        cell = self.cells.get(dotted(tuple(p for p in parts(problem.key) if isinstance(p, str))))
+        return replace(problem, key=f"{cell} {problem.key}") if cell else problem
 
     def _misspelt(self) -> Iterator[Path]:
         """List the keys that were meant by unknown ones."""
@@ -172,9 +180,17 @@ def parse_file(text: str, moored: Moored, source: str = "", *, folder: str = "")
 
 
 def file_of(
-    document: dict[str, Any], moored: Moored, source: str = "", *, folder: str = ""
+    document: dict[str, Any],
+    moored: Moored,
+    source: str = "",
+    *,
+    folder: str = "",
+    cells: Mapping[str, str] = _NOTHING_READ,
 ) -> SizingFile:
-    """Take the document of a file, as the TOML reader returns it, as `parse_file` does."""
+    """Take the document of a file, as the TOML reader returns it, as `parse_file` does.
+
+    `cells`: the cell of a workbook that has each key.
+    """
     key, other = case_key(document), None
     if moored == "buoy" and "ship" in document:
         allowed = Message("refused_file.for_size_tanker")
@@ -188,7 +204,7 @@ def file_of(
     if moored == "tanker" and "anchor" in document and "sinker" in document:
         advice = Message("refused_file.sinker_or_anchor")
         findings.append(Finding(("sinker",), Message("refused_file.anchor_beside"), advice))
-    return SizingFile(moored, source, folder, document, tuple(findings))
+    return SizingFile(moored, source, folder, document, tuple(findings), cells)
 
 
 def read_sizing(path: str | os.PathLike[str]) -> BuoyRequest | TankerRequest:

@@ -27,10 +27,10 @@ from catopt.words import Language, Message, say
 
 UNITS: Final[Mapping[str, tuple[str, ...]]] = MappingProxyType(
     {
-        "LENGTH": ("m", "mm", "cm", "km"),
+        "LENGTH": ("m", "mm", "cm", "km", "ft"),
         "FORCE": ("kN", "N", "tf", "kgf", "MN"),
         "MASS": ("t", "kg"),
-        "SPEED": ("m/s", "km/hour"),
+        "SPEED": ("m/s", "km/hour", "knot"),
         "TIME": ("s", "min", "hour", "year"),
         "AREA": ("m^2", "cm^2"),
         "ANGLE": ("deg", "rad"),
@@ -79,6 +79,7 @@ def form(moored: Moored, language: Language = "en") -> bytes:
     for letter, width in zip("ABCDE", (46, 24, 9, 60, 26), strict=True):
         sheet.column_dimensions[letter].width = width
     sheet.freeze_panes = f"B{_FIRST}"
+    _print_on_pages(sheet, f"A1:D{_FIRST + len(_inputs(moored)) - 1}", f"1:{_FIRST - 1}")
     fleet = book.create_sheet(_FLEET)
     fleet["A1"] = reported(Message("left_out.form_fleet"))
     for column, each in enumerate(_inputs(moored), start=1):
@@ -89,6 +90,16 @@ def form(moored: Moored, language: Language = "en") -> bytes:
     stream = BytesIO()
     book.save(stream)
     return stream.getvalue()
+
+
+def _print_on_pages(sheet: Any, area: str, rows: str) -> None:
+    """Print a sheet on two pages of A4, without its keys, and its first rows on both."""
+    from openpyxl.worksheet.properties import PageSetupProperties
+
+    sheet.print_area, sheet.print_title_rows = area, rows
+    sheet.page_setup.paperSize = sheet.PAPERSIZE_A4
+    sheet.page_setup.fitToWidth, sheet.page_setup.fitToHeight = 1, 2
+    sheet.sheet_properties.pageSetUpPr = PageSetupProperties(fitToPage=True)
 
 
 def read_form(path: str | os.PathLike[str]) -> list[SizingFile]:
@@ -113,11 +124,21 @@ def read_form(path: str | os.PathLike[str]) -> list[SizingFile]:
     fleet = reading.fleet(_by_row(book.sheets.get(_FLEET, ())))
     if reading.problems:
         raise InputError(few(reading.problems), source)
-    rows = [own | given for given in fleet] or [own]
     folder = str(Path(path).parent)
-    return [file_of(_document(each), moored, source, folder=folder) for each in rows]
+    return [
+        file_of(
+            _document({key: value for key, (value, _) in row.items()}),
+            moored,
+            source,
+            folder=folder,
+            cells={key: cell for key, (_, cell) in row.items()},
+        )
+        for row in [own | given for given in fleet] or [own]
+    ]
 
 
+Given = dict[str, tuple[object, str]]
+"""What a sheet gives, by key, with the cell that has it."""
 Rows = Mapping[int, Mapping[int, Value]]
 """Values by row and column, of those that are not empty."""
 
@@ -140,9 +161,9 @@ class _Form:
         shown = as_written(found) if found != "" else ""
         self.problems.append(Problem(place, shown, allowed))
 
-    def form(self, rows: Rows) -> dict[str, object]:
+    def form(self, rows: Rows) -> Given:
         """Return what the first sheet gives, by key; each of its values has a key beside it."""
-        given: dict[str, object] = {}
+        given: Given = {}
         seen: dict[str, int] = {}
         for at, row in rows.items():
             if at < _FIRST:
@@ -160,10 +181,11 @@ class _Form:
             seen[each.key] = at
             if value is not None:
                 place = f"{_FORM}!{letters(_VALUE)}{at}"
-                given[each.key] = self._given(place, each, value, str(row.get(_UNIT, "")))
+                read = self._given(place, each, value, str(row.get(_UNIT, "")))
+                given[each.key] = read, place
         return given
 
-    def fleet(self, rows: Rows) -> list[dict[str, object]]:
+    def fleet(self, rows: Rows) -> list[Given]:
         """List what each row of the fleet gives, by key; a column has its key in the third row."""
         if len(rows.keys() - {1, 2, 3}) > MOST_ROWS:
             allowed = Message("refused_sizing.most_rows", most=MOST_ROWS)
@@ -182,17 +204,16 @@ class _Form:
                 self.note(place, keys[column], Message("refused_study.twice"))
             unit = heading(str(heads.get(column, "")))[1] if _units(each) else ""
             columns[column] = each, unit
-        return [
-            {
-                columns[column][0].key: self._given(
-                    f"{_FLEET}!{letters(column)}{at}", columns[column][0], value, columns[column][1]
-                )
-                for column, value in row.items()
-                if column in columns
-            }
-            for at, row in rows.items()
-            if at > 3
-        ]
+        moorings: list[Given] = []
+        for at, row in rows.items():
+            if at > 3:
+                given: Given = {}
+                for column in row.keys() & columns.keys():
+                    each, unit = columns[column]
+                    place = f"{_FLEET}!{letters(column)}{at}"
+                    given[each.key] = self._given(place, each, row[column], unit), place
+                moorings.append(given)
+        return moorings
 
     def _input(self, place: str, key: Value, has_value: bool) -> Input | None:
         """Find the input of a key; none is noted, where anything is lost by it."""

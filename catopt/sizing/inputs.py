@@ -79,7 +79,7 @@ _IN_IT: Final = "or_all_in_it"
 INPUTS: Final = (
     Input("title", "title", "TEXT", "Pillar buoy in 12 m", left_out="left_out.title"),
     Input("source", "source", "TEXT", "Harbour survey of 2024", left_out="left_out.source"),
-    # Asked for first: of all that a place has, the room for swinging decides most.
+    # Asked for last, after buoy or ship, depth and weather.
     Input(
         "max_swing", "line.max_swing", "LENGTH", "60 m", above=0.0, asked=True,
         tanker=(("example", "450 m"),),

@@ -6,7 +6,7 @@ import math
 import os
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, Literal, Protocol, TypeVar
 
 from catopt.casefile.reading import Moored
@@ -17,7 +17,7 @@ from catopt.loads.ship import DIMENSIONS_SOURCE, SHORTEST, ship_dimensions
 from catopt.records import Record
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import default_of, kind_of, usual
-from catopt.units import UNITS, Dimension, as_written
+from catopt.units import UNITS, Dimension, as_written, to_si
 from catopt.words import Cited, Measure, Message, Several, term
 
 Made = TypeVar("Made")
@@ -151,6 +151,7 @@ class ReadInput(Record):
     origin: Origin
     """By the user, by default, or estimated from what was given."""
     source: str = ""  # of an estimate
+    written_in: str = field(default="", compare=False)  # unit in which it was given; or as usual
 
     @property
     def keyword(self) -> str:
@@ -183,10 +184,11 @@ class ReadInput(Record):
             return Message("sizing.about", value=Measure("horizontal_force", value))
         if not self.of.is_measure:
             return term(str(value).lower() if isinstance(value, bool) else str(value))
-        unit = self._unit
+        unit = self.written_in or self._unit
         if not unit:
             return f"{value:.6g}"
-        factor = UNITS[Dimension[self.of.takes]].get(unit, 1.0)
+        dimension = Dimension[self.of.takes]
+        factor = UNITS[dimension].get(unit) or to_si(f"1 {unit}", dimension)
         if self.of.takes == "TIME" and value < factor:
             unit, factor = "s", 1.0
         return Message("sizing.in_unit", value=value / factor, unit=term(unit))
@@ -210,6 +212,7 @@ class ResolvedInputs:
     given: frozenset[str]  # with faults or without
     errors: ErrorCollector  # keeps what is wrong
     estimated: frozenset[str] = frozenset()  # from others that were given
+    written_in: Mapping[str, str] = field(default_factory=dict)  # units of those with one
 
     def __getitem__(self, name: str) -> Any:
         """Return a value; None where it is not known."""
@@ -241,7 +244,7 @@ class ResolvedInputs:
         """Every input that is known and counts, in the order of the table."""
         inputs = inputs_of(self.moored, held_by=_held_by(self.moored, self.values))
         return tuple(
-            ReadInput(each, self.values[name], *self._origin(name))
+            ReadInput(each, self.values[name], *self._origin(name), self.written_in.get(name, ""))
             for name, each in inputs.items()
             if name in self.values and each.only_with in {"", *self.given}
         )
@@ -294,7 +297,16 @@ def known(
             values[name] = default_of(each)
         elif defaults and defaults.get(name):
             values[name] = kind_of(each).read(defaults[name])
-    return ResolvedInputs(moored, values, frozenset(given), errors, frozenset(estimated))
+    units = {name: unit for name in given.keys() & values.keys() if (unit := _unit_of(given[name]))}
+    return ResolvedInputs(moored, values, frozenset(given), errors, frozenset(estimated), units)
+
+
+def _unit_of(written: object) -> str:
+    """Return the unit of a text, or of the first of several; empty where it has none."""
+    if isinstance(written, list | tuple):
+        written = written[0] if written else ""
+    found = re.fullmatch(r"\s*[-+]?\d[\d.,]*(?:e[-+]?\d+)?\s*([^\d\s].*?)\s*", str(written))
+    return found[1] if found and isinstance(written, str) else ""
 
 
 def _estimated(

@@ -12,13 +12,14 @@ from .test_transcripts import run_as
 
 ASKED = {
     "buoy": [
-        ("60 m", ""), ("pillar 1.8 m", "pillar 2.4 m"), ("12 m", "twelve"), ("12 m", "12 m"),
+        ("pillar 1.8 m", "pillar 2.4 m"), ("12 m", "twelve"), ("12 m", "12 m"),
         ("12 m", "10 m"), ("25 m/s", ""), ("1 m/s", ""), ("2 m", "1.5 m"),
-        ("fine or silty sand", "clean fine to medium sand"),
+        ("fine or silty sand", "clean fine to medium sand"), ("60 m", ""),
     ],
     "tanker": [
-        ("450 m", ""), ("50000 t", ""), ("234 m", "120 m"), ("31.3 m", "18 m"), ("12.4 m", "7 m"),
+        ("50000 t", ""), ("234 m", "120 m"), ("31.3 m", "18 m"), ("12.4 m", "7 m"),
         ("22 m", "22 m"), ("22 m", "20 m"), ("25 m/s", "20 m/s"), ("1 m/s", ""), ("2 m", ""),
+        ("450 m", ""),
     ],
 }  # fmt: skip
 """What stands in each question, in its order, and the answer."""
@@ -41,3 +42,22 @@ def test_every_question_has_an_example_with_its_unit(
     if language == "vi":
         assert not re.search(r"\b(such as|wanted|found)\b", ran.err)
         assert moored == "tanker" or "cần chiều dài" in ran.err
+
+
+@pytest.mark.parametrize(
+    ("depth", "meant"), [("12m", "--depth 12m?"), ("12 m", '--depth "12 m"?'), ("deep", "")]
+)
+def test_a_bare_depth_is_told_its_option(run: Run, depth: str, meant: str) -> None:
+    ran = run("size", "buoy", "pillar 1.8 m", depth)
+    assert ran.status == 2
+    assert ran.out == ""
+    assert ("Did you mean" in ran.err) == bool(meant)
+    assert meant in ran.err
+
+
+def test_a_bare_depth_is_told_its_option_in_vietnamese(
+    run: Run, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("CATOPT_LANG", "vi")
+    ran = run("size", "buoy", "pillar 1.8 m", "12m")
+    assert "Có phải ý là --depth 12m?" in ran.err

@@ -73,6 +73,32 @@ def test_a_fleet_is_a_row_a_mooring(tmp_path: Path) -> None:
     assert depths == ["9 m", "14 m"]
 
 
+def test_an_error_of_a_fleet_names_sheet_row_and_column(tmp_path: Path) -> None:
+    path = fill(tmp_path / "form.xlsx", FILLED)
+    book = openpyxl.load_workbook(path)
+    keys = [cell.value for cell in book["Fleet"][3]]
+    column = 1 + keys.index("site.water_depth")
+    for row, depth in enumerate((9, -14), start=4):
+        book["Fleet"].cell(row, column, depth)
+    book.save(path)
+    place = f"Fleet!{book['Fleet'].cell(5, column).coordinate}"
+    with pytest.raises(InputError, match=rf"{place} site\.water_depth: found \"-14 m\""):
+        known_of(path)
+    with pytest.raises(InputError, match=r"Form!B\d+ environment\.hs: found"):
+        known_of(fill(tmp_path / "other.xlsx", {**FILLED, "environment.hs": (-1, "m")}))
+
+
+@pytest.mark.parametrize("moored", ["buoy", "tanker"])
+def test_a_form_prints_on_two_pages_without_its_keys(moored: Moored) -> None:
+    sheet = openpyxl.load_workbook(BytesIO(form(moored)))["Form"]
+    rows = 3 + len({each.key for each in inputs_of(moored).values()})
+    assert sheet.print_area == f"'Form'!$A$1:$D${rows}"
+    setup = sheet.page_setup
+    assert (setup.fitToWidth, setup.fitToHeight, setup.paperSize) == (1, 2, 9)
+    assert sheet.sheet_properties.pageSetUpPr.fitToPage
+    assert sheet.print_title_rows == "$1:$3"
+
+
 def test_formulas_macros_and_what_is_no_form_are_refused(tmp_path: Path) -> None:
     path = fill(tmp_path / "form.xlsx", {"site.water_depth": ("=6+6", None)})
     with pytest.raises(InputError, match="a formula"):

@@ -311,6 +311,19 @@ def test_a_sizing_by_keywords_is_that_of_its_file() -> None:
         size_tanker(request)
 
 
+def test_what_is_given_comes_back_in_the_unit_that_it_has() -> None:
+    given = {"depth": "40 ft", "wind": "50 knots", "current": 1.5, "hs": "1,5 m", "period": "8s"}
+    said = {each.keyword: str(each.said) for each in known("buoy", given).read}
+    shown = {name: said[name] for name in given}
+    assert shown == {
+        "depth": "40 ft",
+        "wind": "50 knots",
+        "current": "1.5 m/s",
+        "hs": "1.5 m",
+        "period": "8 s",
+    }
+
+
 @pytest.mark.parametrize(("seconds", "said"), [(10.0, "10 s"), (60.0, "1 min"), (600.0, "10 min")])
 def test_a_duration_is_said_in_the_unit_that_reads_well(seconds: float, said: str) -> None:
     mean = next(each for each in INPUTS if each.name == "wind_mean")
