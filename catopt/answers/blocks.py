@@ -317,6 +317,18 @@ class Section:
 
 
 @dataclass(frozen=True)
+class PageHead:
+    """What stands at the head of every printed page, and the firm's logo."""
+
+    firm: str
+    """Client and project."""
+    number: str
+    """Of the document, with its revision."""
+    logo: str = ""
+    """As an address that holds it; empty without one."""
+
+
+@dataclass(frozen=True)
 class Answer:
     """All of an answer, under the user's own title or a message; it names document and workbook."""
 
@@ -330,6 +342,8 @@ class Answer:
     has what the sections say, as far as there is room."""
     next: str = ""
     """Of which answers the text is that says what to type next; empty: of those of its name."""
+    head: PageHead | None = None
+    """Of a firm's document."""
 
     @property
     def blocks(self) -> tuple[Block, ...]:

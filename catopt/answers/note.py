@@ -67,8 +67,21 @@ def note_answer(
     first = (blocks.FileText(each.name, each.sha256, each.text) for each in note.origin.files[:1])
     every = (*sections, section(file or "case_file", first))
     shown = tuple(each for each in every if each.blocks)
-    return blocks.Answer(
-        "note", note.case.title or Message(untitled or "note.untitled"), shown, Message(kind)
+    title = note.case.title or Message(untitled or "note.untitled")
+    return blocks.Answer("note", title, shown, Message(kind), head=_head(note))
+
+
+def _head(note: AnyNote) -> blocks.PageHead | None:
+    """Say what every page has of the firm's document."""
+    of = note.case.document
+    if of is None:
+        return None
+    named = Message("note_first.revision_of", revision=of.present) if of.present else ""
+    firm, number = ((of.client, of.project), (of.number, named))
+    return blocks.PageHead(
+        Several(filter(None, firm), " \u00b7 "),
+        Several(filter(None, number), ", "),
+        note.origin.logo,
     )
 
 
@@ -171,12 +184,19 @@ def _not_covered(sheet: Stated, in_motion: bool) -> Iterator[str]:
 
 def _title_block(facts: Sequence[tuple[str, str]], note: AnyNote) -> Iterator[Block]:
     """Leave room for who signs, and lay out what is calculated, when, and from what."""
-    names = ("revision", "date", "prepared", "checked", "approved")
+    origin, of = note.origin, note.case.document
+    names = ["revision", "date", "changed", "prepared", "checked", "approved"]
+    issues = () if of is None else of.revisions
+    if not any(each.changed for each in issues):
+        names.remove("changed")
+    rows = [[Cited(getattr(each, name) or "\u00a0") for name in names] for each in issues]
     keys = [f"note_first.{name}" for name in names]
-    yield from_rows("signed", keys, [[Cited("\u00a0")] * len(keys)])
-    origin = note.origin
+    yield from_rows("signed", keys, rows or [[Cited("\u00a0")] * len(keys)])
+    firm = () if of is None else (("client", of.client), ("project", of.project))
     files = [Cited(f"{each.name}, SHA-256 {each.sha256}") for each in origin.files]
     every = (
+        *((f"note_first.{key}", said) for key, said in firm),
+        ("note_first.number", "" if of is None else of.number),
         ("note.identity_source", note.case.source),
         *facts,
         ("note.identity_date", origin.date),

@@ -362,7 +362,7 @@ def network_parts(
     """Build what a file has beside its points, lines and bodies."""
     build = _Builder(catalogue, FilePath(folder).absolute(), site)
     given = table.given()
-    keys = ("waves", "current", "motion", "dynamics", "checks", "service", "anchor")
+    keys = ("document", "waves", "current", "motion", "dynamics", "checks", "service", "anchor")
     found = {key: build.part(given[key], (key,)) for key in keys if key in given}
     found["accept"] = tuple(given.get("accept") or ())
     if table.catalogue:

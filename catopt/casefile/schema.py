@@ -346,8 +346,9 @@ class CaseTable(TableSchema):
     """A whole case file."""
 
     model = model.Case
-    keys = """title source accept site line load load_cases system find checks service buoy anchor
-        catalogue design waves current motion anchor_motion body floater dynamics fatigue pso"""
+    keys = """title source document accept site line load load_cases system find checks service
+        buoy anchor catalogue design waves current motion anchor_motion body floater dynamics
+        fatigue pso"""
     elsewhere: ClassVar = {"verify": "refused.later", "environment": "refused.belongs_to_size"}
     symbols: ClassVar = {"catalog": "catalogue"}
 
@@ -397,8 +398,8 @@ class NetworkTable(TableSchema):
     """A whole file of points, lines between them and bodies."""
 
     model = Network
-    keys = """title source accept site points lines bodies waves current motion dynamics checks
-        service anchor catalogue"""
+    keys = """title source document accept site points lines bodies waves current motion dynamics
+        checks service anchor catalogue"""
 
     motion: EndMotionTable | None = None
 

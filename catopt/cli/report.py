@@ -14,9 +14,10 @@ from catopt.cli.values import refused
 from catopt.cli.verify import stop_in_doubt
 from catopt.notes.origin import file_name
 from catopt.verify.motion_words import stopped_words
-from catopt.words import Message
+from catopt.words import Language, Message
 
 if TYPE_CHECKING:
+    from catopt.answers.blocks import Answer
     from catopt.notes.again import ReadNote
 
 PAGE_ENDINGS = (".html", ".htm")
@@ -33,13 +34,14 @@ def report(
     design: DesignOption = None,
     date: Annotated[str, typer.Option(metavar="TEXT")] = "",
     with_workbook: Annotated[bool, typer.Option("--xlsx")] = False,
+    with_pdf: Annotated[bool, typer.Option("--pdf")] = False,
     verify: Annotated[bool, typer.Option("--verify/--no-verify")] = True,
     method: Annotated[Method | None, typer.Option(metavar="METHOD")] = None,
     motion: Annotated[bool | None, typer.Option("--dynamic/--no-dynamic")] = None,
     once: OnceOption = False,
     again: Annotated[bool, typer.Option("--again")] = False,
 ) -> None:
-    """Write the calculation note of a case: one HTML page for a checker, and a workbook."""
+    """Write the calculation note of a case: one HTML page for a checker, a workbook, a PDF."""
     from catopt.cli.note_kind import answer_of, note_of_file
     from catopt.notes.line import Note
     from catopt.notes.system import NetworkNote, SystemNote
@@ -55,6 +57,7 @@ def report(
             allowed = Message("refused_command.page_file_ends_html_or")
             raise refused("--out", str(asked.out), allowed)
         check_directory(_place(asked.out, "")[0])
+    printer = _browser() if with_pdf else ""  # before all that takes long
     with output.progress(Message("beside.note")) as watched:
         tell = watched or (lambda _, __: None)
         # Three steps: the note, as far as its line in motion is, then its page and its workbook.
@@ -85,18 +88,16 @@ def report(
         answer = answer_of(note)
         files = {name: page(answer, language)}
         tell(2, 3)
-        if with_workbook or is_folder:
-            from catopt.render.workbook import workbook
-
-            files[str(Path(name).with_suffix(".xlsx"))] = workbook(answer, language)
+        files |= _beside(answer, name, files[name], language, printer, with_workbook or is_folder)
     places = write_files(folder, files, keep=[case])
     if asked.as_json:
         from catopt.notes.written import WrittenNote, written_file
 
         first, *others = map(written_file, places, files.values())
         sections = tuple(section.name for section in answer.sections)
-        of_book = others[0] if others else None
-        output.json(WrittenNote(note, first, language, sections, of_book).to_dict())
+        beside = {Path(each.path).suffix: each for each in others}
+        both = beside.get(".xlsx"), beside.get(".pdf")
+        output.json(WrittenNote(note, first, language, sections, *both).to_dict())
     else:
         for path in places:
             output.text(str(path))
@@ -145,6 +146,28 @@ def _file_of(old: ReadNote, beside: Path, folder: Path) -> Path:
         place = folder / old.name
         place.write_text(old.text, "utf-8", newline="")
     return place
+
+
+def _browser() -> str:
+    from catopt.report.pdf import browser
+
+    return browser()
+
+
+def _beside(
+    answer: Answer, name: str, page: bytes, language: Language, printer: str, with_workbook: bool
+) -> dict[str, bytes]:
+    """Make what stands beside the page of a name: its workbook, and what a browser prints of it."""
+    files = {}
+    if with_workbook:
+        from catopt.render.workbook import workbook
+
+        files[str(Path(name).with_suffix(".xlsx"))] = workbook(answer, language)
+    if printer:
+        from catopt.report.pdf import printed
+
+        files[str(Path(name).with_suffix(".pdf"))] = printed(page, printer)
+    return files
 
 
 def _place(out: Path | None, name: str) -> tuple[Path, str, bool]:

@@ -16,6 +16,7 @@ from catopt.model.load import Checks, Load, LoadCase, Site
 from catopt.model.sea import CurrentProfile, Motion, WaveState, WaveTrain
 from catopt.model.service import Service
 from catopt.model.system import Body, Buoy, Floater, HullAfloat, Leg, ShipAfloat, System
+from catopt.model.title_block import Revision, TitleBlock
 
 __all__ = [
     "Anchor",
@@ -40,6 +41,7 @@ __all__ = [
     "LoadCase",
     "Motion",
     "PointLoad",
+    "Revision",
     "Segment",
     "SegmentChoice",
     "SegmentCurve",
@@ -50,6 +52,7 @@ __all__ = [
     "StrainTable",
     "SwarmSettings",
     "System",
+    "TitleBlock",
     "WaveState",
     "WaveTrain",
 ]

@@ -34,6 +34,7 @@ from catopt.model.load import Checks, Load, LoadCase, Site
 from catopt.model.sea import CurrentProfile, Motion, WaveState
 from catopt.model.service import Service, wear_misfits
 from catopt.model.system import Body, Buoy, Floater, System, system_misfits
+from catopt.model.title_block import TitleBlock
 from catopt.model.wear import worn_line
 from catopt.units import Dimension
 from catopt.words import Message
@@ -152,6 +153,8 @@ class Case(Checked):
     """How the line is run in time; needed by the six before it."""
     fatigue: Fatigue | None = None
     """What its damage in a year is found from."""
+    document: TitleBlock | None = None
+    """For the title block of its note."""
     accept: tuple[Accepted, ...] = ()
     """Names of the plausible ranges that its values may go beyond."""
 

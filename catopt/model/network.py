@@ -31,6 +31,7 @@ from catopt.model.line import Line, drag_missing, point_drag_misfits, weightless
 from catopt.model.load import Checks, Site
 from catopt.model.sea import CurrentProfile, Motion, WaveState
 from catopt.model.service import Service
+from catopt.model.title_block import TitleBlock
 from catopt.words import Message
 
 PointKind = Literal["anchor", "fairlead", "joint"]
@@ -190,6 +191,8 @@ class Network(Checked):
     """How the lines are run in time; needed by the two before it."""
     catalogue: CatalogueChoice = field(default_factory=CatalogueChoice)
     """Where components come from."""
+    document: TitleBlock | None = None
+    """For the title block of its note."""
     accept: tuple[Accepted, ...] = ()
     """Names of the plausible ranges that its values may go beyond."""
 

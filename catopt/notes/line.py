@@ -144,7 +144,11 @@ def note_of(
         load_case=load_case,
         solution=solution,
         curve=curve,
-        origin=origin_of((*files, *(motion_files(case) if asked.motion else ())), asked.date),
+        origin=origin_of(
+            (*files, *(motion_files(case) if asked.motion else ())),
+            asked.date,
+            title_block=case.document,
+        ),
         sheet=sheet_of(
             case, solution.line, checks, moved=None if motion is None else motion.checks
         ),

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import base64
 import hashlib
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, Final
 
 from catopt._version import identity
 from catopt.casefile import case_digest, read_mooring
@@ -16,7 +17,7 @@ from catopt.casefile.schema import CaseTable, TableSchema, entries
 from catopt.documents import MOST_BYTES_OF_DATA, dotted, parse_toml, read_text
 from catopt.documents import Path as Keys
 from catopt.errors import InputError, Problem, refused
-from catopt.model import Case
+from catopt.model import Case, TitleBlock
 from catopt.model.kinds import Kind, Measured
 from catopt.records import Digest
 from catopt.schemas import CASE_DIGEST, is_ours, read_any, read_document
@@ -28,7 +29,7 @@ _MOST = 8
 """Values of an array that are all shown; of a longer one the first two and the last are."""
 _LONGEST = 160
 """Characters of a text that are shown; the whole of it stands in the case file below."""
-_FREE_TEXT = {("title",), ("source",)}
+_FREE_TEXT = {"title", "source", "document"}
 """What stands in the title block already."""
 
 
@@ -68,14 +69,37 @@ class Origin:
     inputs: tuple[Input, ...] = ()
     date: str = ""
     version: str = field(default_factory=identity)
+    logo: str = ""
+    """Of the firm, as the address that holds all of it (``data:``); empty without one."""
 
 
 def origin_of(
-    files: tuple[SourceFile, ...], date: str = "", schema: type[TableSchema] = CaseTable
+    files: tuple[SourceFile, ...],
+    date: str = "",
+    schema: type[TableSchema] = CaseTable,
+    title_block: TitleBlock | None = None,
 ) -> Origin:
     """Say where a note comes from; the first of the files, as its schema has it, has its inputs."""
     document = parse_toml(files[0].text, files[0].name)
-    return Origin(files, inputs_of(document, schema), _writable(date))
+    logo = "" if title_block is None or not title_block.logo else _embedded(Path(title_block.logo))
+    return Origin(files, inputs_of(document, schema), _writable(date), logo=logo)
+
+
+_PICTURES: Final = {".png": "png", ".jpg": "jpeg", ".jpeg": "jpeg", ".svg": "svg+xml"}
+_MOST_OF_A_LOGO: Final = 1_000_000
+
+
+def _embedded(picture: Path) -> str:
+    """Read a picture as an address that holds it; InputError for what is none."""
+    kind = _PICTURES.get(picture.suffix.lower())
+    wanted = Message("refused_file.a_logo", most=_MOST_OF_A_LOGO / 1e6)
+    try:
+        content = picture.read_bytes()
+    except OSError as error:
+        raise refused("document.logo", f"{picture}: {error.strerror}", wanted) from None
+    if kind is None or len(content) > _MOST_OF_A_LOGO:
+        raise refused("document.logo", str(picture), wanted)
+    return f"data:image/{kind};base64,{base64.b64encode(content).decode()}"
 
 
 def source_of(name: str, text: str) -> SourceFile:
@@ -112,7 +136,7 @@ def file_name(path: Path, design: int | None) -> str:
 def inputs_of(document: dict[str, Any], schema: type[TableSchema]) -> tuple[Input, ...]:
     """List every value of a file, as the TOML reader returns it, that is no free text."""
     found = leaves(document, schema)
-    return tuple(_input(*leaf) for leaf in found if leaf[0] not in _FREE_TEXT)
+    return tuple(_input(*leaf) for leaf in found if leaf[0][0] not in _FREE_TEXT)
 
 
 def leaves(

@@ -185,7 +185,9 @@ def system_note(
     return SystemNote(
         case=case,
         report=report,
-        origin=origin_of((*files, *(motion_files(case) if found else ())), asked.date),
+        origin=origin_of(
+            (*files, *(motion_files(case) if found else ())), asked.date, title_block=case.document
+        ),
         sheet=sheet_of(case, case.line, checks, report.solution, moved=judged),
         warnings=tuple(dict.fromkeys(warnings)),
         verification=verification,
@@ -331,7 +333,7 @@ def read_network_note(
         verification_failure=failure,
         motion=found,
         motion_checks=judged,
-        origin=origin_of((source, *files), asked.date, NetworkTable),
+        origin=origin_of((source, *files), asked.date, NetworkTable, network.document),
         sheet=Stated(
             case=network,
             report=checks,

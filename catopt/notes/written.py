@@ -125,11 +125,11 @@ class MovedInBrief(Record):
 
 @dataclass(frozen=True)
 class WrittenNote(Record):
-    """What catopt report has written: one calculation note as an HTML page, and as a workbook."""
+    """What catopt report has written: a calculation note as a page, a workbook, a PDF."""
 
     SCHEMA = "catopt.report/1"
     DOCUMENT = (
-        "title page.path page.bytes page.sha256 workbook language date version "
+        "title page.path page.bytes page.sha256 workbook pdf? language date version "
         "sources(name sha256) design load_case sections passes governing verification "
         "swarm(objective evaluations runs converged_runs closed_form_difference) motion warnings"
     )
@@ -142,6 +142,8 @@ class WrittenNote(Record):
     """Parts of the page, in their order."""
     workbook: WrittenFile | None = None
     """The workbook beside it; None where none was asked for."""
+    pdf: WrittenFile | None = None
+    """The same page as PDF; None where it was not asked for."""
 
     @property
     def title(self) -> str:

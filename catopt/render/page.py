@@ -23,6 +23,7 @@ from catopt.answers.blocks import (
     Facts,
     Figure,
     FileText,
+    PageHead,
     Points,
     Section,
     Step,
@@ -147,22 +148,45 @@ def page(answer: Answer, language: Language = "en") -> bytes:
         "page.html",
         language,
         script=file_text("script.js"),
+        style=_on_every_page(answer),
         title=answer.title,
         kind=answer.kind,
         sections=_sections(answer, language),
+        contents=say(Message("page.contents"), language) if answer.kind else "",
+        head=answer.head,
         footer=say(Message("page.footer", version=identity()), language),
         hover=say(Message("page.hover"), language),
     )
 
 
-def whole_page(name: str, language: Language, *, script: str, **values: Any) -> bytes:
-    """Render a template of a page that refers to no other file."""
+def _on_every_page(answer: Answer) -> str:
+    """Write the style of what stands in the margins of every printed page."""
+    head = answer.head or PageHead("", "")
+    corners = {
+        "top-left": _quoted(head.firm or answer.title),
+        "top-right": _quoted(head.number),
+        "bottom-left": _quoted(answer.title if head.firm else ""),
+        "bottom-right": 'counter(page) " / " counter(pages)',
+    }
+    said = " ".join(f"@{place} {{ content: {words}; }}" for place, words in corners.items())
+    return f"@page {{ {said} }}\n"
+
+
+def _quoted(text: str) -> str:
+    """Write a text as a string of a style sheet, whatever is in it."""
+    return '"' + "".join(c if c.isalnum() or c == " " else f"\\{ord(c):x} " for c in text) + '"'
+
+
+def whole_page(
+    name: str, language: Language, *, script: str, style: str = "", **values: Any
+) -> bytes:
+    """Render a template of a page that refers to no other file; `style` adds to that of all."""
     # The page's own policy runs the script of this hash and no other.
     script_hash = base64.b64encode(hashlib.sha256(script.encode()).digest()).decode()
     rendered = template("catopt.render", name).render(
         language=language,
         version=identity(),
-        style=stylesheet() + file_text("style.css"),
+        style=stylesheet() + file_text("style.css") + style,
         script=script,
         script_hash=script_hash,
         **values,
@@ -174,7 +198,9 @@ def fragment(answer: Answer, language: Language = "en") -> str:
     """Render the sections of an answer that show something, to be put into another page."""
     laid = _sections(as_wanted(answer, language), language)
     shown, hover = [each for each in laid if each.blocks], say(Message("page.hover"), language)
-    return template("catopt.render", "sections.html").render(sections=shown, hover=hover)
+    return template("catopt.render", "sections.html").render(
+        sections=shown, hover=hover, contents=""
+    )
 
 
 def card(answer: Answer, language: Language = "en") -> str:

@@ -44,6 +44,7 @@ from catopt.model import (
     LoadCase,
     Motion,
     PointLoad,
+    Revision,
     Segment,
     SegmentChoice,
     SegmentCurve,
@@ -51,6 +52,7 @@ from catopt.model import (
     SinkerChoice,
     Site,
     SwarmSettings,
+    TitleBlock,
     WaveState,
     WaveTrain,
 )
@@ -105,6 +107,8 @@ NEEDED: dict[type, dict[str, Any]] = {
     FatigueSeaState: {"height": 2.0, "period": 8.0, "share": 0.5},
     SegmentCurve: {"name": "E301 stud"},
     SwarmSettings: {},
+    TitleBlock: {},
+    Revision: {"revision": "A"},
 }
 """What each part of the model needs at least."""
 
@@ -205,6 +209,8 @@ NARROWER = {
     (Body, "force_file"),
     (WaveState, "elevation_file"),
     (CurrentProfile, "series_file"),
+    *((TitleBlock, key) for key in ("client", "project", "number", "logo")),
+    *((Revision, key) for key in entries(table_of(Revision))),
 }
 """An angle is limited to a right one, because a bare 5 is more likely meant in degrees; a name that
 is blank is no name."""
