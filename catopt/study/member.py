@@ -13,7 +13,6 @@ from catopt.casefile.document import hint, parts
 from catopt.casefile.reading import Moored, case_of, is_network, network_of
 from catopt.casefile.schema import CaseTable, NetworkTable, TableSchema, entries
 from catopt.checks.case import check_case
-from catopt.checks.system import check_network
 from catopt.errors import CatoptError, InputError, refused
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured
@@ -278,7 +277,7 @@ def compute_member(
             "reserve": min(line.reserve for line in lines),
             "taut": "yes" if all(line.holds for line in lines) else "no",
         }
-    report = check_network(read) if isinstance(read, Network) else check_case(read)
+    report = check_case(read)
     failing = sum(not each.passes for each in report.results)
     return {**_of_checks(report), "failing": float(failing)}
 
