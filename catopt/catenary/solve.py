@@ -12,7 +12,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from itertools import accumulate
+from itertools import accumulate, pairwise
 from typing import Final, Literal
 
 from catopt.catenary.equilibrium import (
@@ -70,7 +70,9 @@ from catopt.model.line import StrainTable
 from catopt.words import Measure, Message
 
 PARTS: Final = 32
-"""Parts that a rope with a table is cut into."""
+"""Parts that a rope with a table is cut into, at least; each ends where a point load hangs."""
+_AT_END: Final = 1e-9
+"""Of a part: nearer to its end a point load hangs there."""
 ROUNDS: Final = 60
 _SAME: Final = 1e-13
 """Change of a part's strain at which it is found."""
@@ -87,10 +89,10 @@ def solve_by_table(line: Line, solve: Callable[[Line], Solution]) -> tuple[Solut
     Returns the line of parts that hangs and gives way as it does, too. NotConvergedError where the
     strains of the parts are not found, TableEndsError where a table ends below its tension.
     """
-    owner = [k for k, segment in enumerate(line.segments) for _ in range(_count(segment))]
+    owner, lengths = _cut(line)
     laws = [(0.0, 1.0 / _stiffness(line.segments[k])) for k in owner]
     for _ in range(ROUNDS):
-        parts = _in_parts(line, owner, laws)
+        parts = _in_parts(line, owner, lengths, laws)
         found = solve(parts)
         newer = list(_laws(line, owner, laws, found))
         moved = max(abs(e - old) for (e, _), (old, _) in zip(newer, laws, strict=True))
@@ -114,8 +116,24 @@ def grown(segment: Segment, length: float, e: float, c: float) -> Segment:
     return replace(segment, length=(1.0 + e) * length, submerged_weight=weight, EA=EA)
 
 
-def _count(segment: Segment) -> int:
-    return PARTS if isinstance(segment.EA, StrainTable) else 1
+def _cut(line: Line) -> tuple[list[int], list[float]]:
+    """Cut a line into parts: of each its segment and its length, m."""
+    owner, lengths, start = [], [], 0.0
+    for k, segment in enumerate(line.segments):
+        end, cuts = start + segment.length, [start]
+        if isinstance(segment.EA, StrainTable):
+            near = _AT_END * segment.length
+            for place in sorted({load.position for load in line.point_loads}):
+                if cuts[-1] + near < place < end - near:
+                    cuts.append(place)
+        for low, high in pairwise([*cuts, end]):
+            whole = high - low if len(cuts) > 1 else segment.length
+            has_table = isinstance(segment.EA, StrainTable)
+            count = math.ceil(PARTS * whole / segment.length) if has_table else 1
+            owner += [k] * count
+            lengths += [whole / count] * count
+        start = end
+    return owner, lengths
 
 
 def _stiffness(segment: Segment) -> float:
@@ -123,13 +141,16 @@ def _stiffness(segment: Segment) -> float:
     return 1.0 / segment.EA.slope(0) if isinstance(segment.EA, StrainTable) else segment.EA
 
 
-def _in_parts(line: Line, owner: Sequence[int], laws: Sequence[tuple[float, float]]) -> Line:
+def _in_parts(
+    line: Line,
+    owner: Sequence[int],
+    lengths: Sequence[float],
+    laws: Sequence[tuple[float, float]],
+) -> Line:
     """Cut a line into its parts with their natural lengths, each by its strain e + c T."""
     segments, places, ends = [], [0.0], [0.0]
-    for k, (e, c) in zip(owner, laws, strict=True):
-        own = line.segments[k]
-        length = own.length / _count(own)
-        segments.append(grown(own, length, e, c))
+    for k, length, (e, c) in zip(owner, lengths, laws, strict=True):
+        segments.append(grown(line.segments[k], length, e, c))
         places.append(places[-1] + length)
         ends.append(ends[-1] + segments[-1].length)
     loads = [replace(each, position=_moved(each, places, ends)) for each in line.point_loads]
@@ -140,7 +161,9 @@ def _moved(load: PointLoad, places: Sequence[float], ends: Sequence[float]) -> f
     """Where a point load is along the parts with their natural lengths."""
     k = max(1, next((k for k, s in enumerate(places) if s >= load.position), len(places) - 1))
     part = (load.position - places[k - 1]) / (places[k] - places[k - 1])
-    return ends[k] if part >= 1.0 else ends[k - 1] + part * (ends[k] - ends[k - 1])
+    if min(part, 1.0 - part) < _AT_END:
+        return ends[k if part > 0.5 else k - 1]
+    return ends[k - 1] + part * (ends[k] - ends[k - 1])
 
 
 def _part_of(stretches: Sequence[Stretch], ends: Sequence[float]) -> Iterator[tuple[int, Stretch]]:
