@@ -25,6 +25,7 @@ from itertools import pairwise
 from typing import Annotated, NamedTuple
 
 from catopt.catenary.along_current import Node, Vector, along, dragged, parts_of, solved
+from catopt.catenary.current_sweep import swept
 from catopt.catenary.layout import Profile, Stretch
 from catopt.catenary.solution import (
     PointLoadState,
@@ -37,7 +38,7 @@ from catopt.catenary.solution import (
 from catopt.catenary.solve import solve
 from catopt.catenary.state import Regime
 from catopt.errors import InputError, NotConvergedError, refused
-from catopt.model import Case, CurrentProfile, Line, Site
+from catopt.model import Case, CurrentProfile, Line, Load, Site
 from catopt.model.kinds import Force, Speed
 from catopt.model.line import drag_missing
 from catopt.model.sea import ProfileKind
@@ -62,7 +63,7 @@ _DIFFERENCE = 1e-5
 """Of the forces, by which they are changed for derivatives."""
 _SLACK = 0.02
 """Of the line's weight and load: less tension than that at the touchdown is nearly none."""
-_LEAST_PART = 1.0 / 64.0
+_LEAST_PART = 1.0 / 16.0
 """Of the current, in which it is put on where it cannot be at once."""
 
 
@@ -149,7 +150,7 @@ def solve_in_current(case: Case) -> SolutionInCurrent:
         raise InputError(lacks, "current")
     load = case.load
     still = solve(case.line, **vars(load), **case.place)
-    shot = _Shot(case.line, case.site, case.current, case.anchor_height, still.fairlead.tension)
+    shot = Shot(case.line, case.site, case.current, case.anchor_height, still.fairlead.tension)
     shot.is_under_water = case.fairlead_height <= case.site.water_depth
 
     def missed(top: Node) -> Vector:
@@ -164,16 +165,16 @@ def solve_in_current(case: Case) -> SolutionInCurrent:
     shot.missed_by = missed
     lifted = still.fairlead.vertical_force - case.line.submerged_weight
     shot.in_still_water = still.horizontal_force
-    known = shot.closed([still.horizontal_force, 0.0, lifted])
+    known, others = _known(shot, load, case.fairlead_height, lifted)
     found = _solution(shot, known)
     highest = max(z for _, _, _, z, _ in found.places)
     if shot.is_under_water and highest > case.site.water_depth + ENOUGH * shot.length:
         shot.is_under_water = False  # a line that floats: above the water nothing flows
-        known = shot.closed([still.horizontal_force, 0.0, lifted])
+        known, others = _known(shot, load, case.fairlead_height, lifted)
         found = _solution(shot, known)
     span = found.span if load.span is None else load.span
     found = replace(found, fairlead_height=case.fairlead_height, span=span)
-    spans = [] if load.fairlead_tension is None else _other_spans(shot, load.fairlead_tension, span)
+    spans = [] if load.fairlead_tension is None else _other_spans(shot, others, span)
     if spans:
         said = ", ".join(f"{each:.4g}" for each in spans)
         told = Message("catenary.several_spans", span=span, others=said)
@@ -181,19 +182,31 @@ def solve_in_current(case: Case) -> SolutionInCurrent:
     return found
 
 
-def _other_spans(shot: _Shot, tension: float, span: float) -> list[float]:
-    """Find the spans of other equilibria with the tension, from other directions of it, m."""
-    weight = shot.line.submerged_weight
+def _known(
+    shot: Shot, load: Load, height: float, lifted: float
+) -> tuple[list[float], list[list[float]]]:
+    """Find what is sought, and from where other equilibria with a tension given are looked for."""
+    try:
+        known = shot.closed([shot.in_still_water, 0.0, lifted])
+    except NotConvergedError:
+        first, *others = swept(shot, load, height)
+        return first, others
+    if load.fairlead_tension is None:
+        return known, []
+    tension, weight = load.fairlead_tension, shot.line.submerged_weight
+    ups = ((each, tension * math.sqrt(1.0 - each * each) - weight) for each in _STARTS)
+    tried = (shot.newton([share * tension, 0.0, up]) for share, up in ups)
+    return known, [each for each in tried if each is not None]
+
+
+def _other_spans(shot: Shot, others: Sequence[list[float]], span: float) -> list[float]:
+    """List the spans of other equilibria, those that do not come below the bed, m."""
     found: list[float] = []
-    for share in _STARTS:
-        if span > 0.0 > share:
-            continue  # the same on the other side of the anchor, against which x would point
-        up = tension * math.sqrt(1.0 - share * share) - weight
-        known = shot.newton([share * tension, 0.0, up])
-        laid = None if known is None else shot.laid(known, shot.length)
+    for known in others:
+        laid = shot.laid(known, shot.length)
         if (
             laid is None
-            or laid.top.x < 0.0 < span
+            or laid.top.x < 0.0 < span  # the same on the other side of the anchor
             or min(n.z for ns in laid.hung for n in ns) < -ENOUGH * shot.length
         ):
             continue
@@ -210,7 +223,7 @@ def hung_on_float(
     `pull`: of the float along x, y and up, N; `drag`: its Cd A, m2. Returns the line, x in the
     direction from its anchor to its upper end, and that direction, rad.
     """
-    shot = _Shot(line, site, current, anchor_height, math.hypot(*pull))
+    shot = Shot(line, site, current, anchor_height, math.hypot(*pull))
     half = 0.5 * site.water_density * drag
 
     def missed(top: Node) -> Vector:
@@ -228,7 +241,7 @@ def hung_on_float(
     return _solution(shot, known, direction), direction
 
 
-class _Shot:
+class Shot:
     """What is aimed at: the fairlead under its load.
 
     Sought are the horizontal force at the lower end of what hangs, along x and y, and what the
@@ -386,7 +399,10 @@ class _Shot:
 
     def missed(self, known: Sequence[float]) -> list[float] | None:
         """Say by how much the line misses what is aimed at, m; None for nowhere."""
-        laid = self.laid(known, self.length)
+        try:
+            laid = self.laid(known, self.length)
+        except NotConvergedError:  # nearly no tension somewhere: its direction is not followed
+            return None
         return None if laid is None else list(self.missed_by(laid.top))
 
     def newton(self, known: Sequence[float]) -> list[float] | None:
@@ -427,7 +443,7 @@ class _Shot:
 # ------------------------------------------------------------------ the answer
 
 
-def _solution(shot: _Shot, known: Sequence[float], direction: float = 0.0) -> SolutionInCurrent:
+def _solution(shot: Shot, known: Sequence[float], direction: float = 0.0) -> SolutionInCurrent:
     """Say all of a line that is found, with x in a direction (rad)."""
     laid = shot.laid(known, shot.length / STATIONS)
     assert laid is not None
@@ -515,7 +531,7 @@ def _loads(line: Line, places: Sequence[Row], laid: Laid) -> tuple[PointLoadStat
 
 
 def _stretches(
-    shot: _Shot, laid: Laid, placed: Sequence[tuple[int, Node]], places: Sequence[Row]
+    shot: Shot, laid: Laid, placed: Sequence[tuple[int, Node]], places: Sequence[Row]
 ) -> Iterator[Stretch]:
     """Cut the line at its nodes, from the anchor up, for pictures."""
     lies = laid.hung[0][0].s

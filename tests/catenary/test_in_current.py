@@ -13,7 +13,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.optimize import fsolve
 
-from catopt import InputError, Line, PointLoad, Segment, fem, solve_case
+from catopt import InputError, Line, NoEquilibriumError, PointLoad, Segment, fem, solve_case
 from catopt import solve as solve_still
 from catopt.casefile import parse_case, write_case
 from catopt.catenary.in_current import SolutionInCurrent
@@ -393,3 +393,47 @@ def test_a_line_slack_in_still_water_is_not_said_to_be_slackened() -> None:
     against = ONE_LINE.format(load="span = 40.5", **given) + "direction = 3.14\n"
     with pytest.raises(InputError, match="slack in still water already"):
         solve_case(parse_case(against))
+
+
+def against_a_strong_current(load: Load, direction: float = 0.0) -> Case:
+    """Draw a line whose drag is some 80 times its weight, the current against its span."""
+    ends = ((152.54, 1.07, 451267.0, 0.0748, 1.7, 0.84), (78.41, 1.94, 309294.0, 0.0834, 1.9, 0.5))
+    parts = [
+        Segment(length, w, EA=EA, drag_diameter=d, drag_normal=normal, drag_axial=axial)
+        for length, w, EA, d, normal, axial in ends
+    ]
+    current = CurrentProfile(
+        "table",
+        depths=(0.0, 44.450, 100.01),
+        speeds=(1.2591, 0.88134, 0.25181),
+        directions=tuple(each + direction for each in (-2.9236, -2.5695, -2.5642)),
+    )
+    site = Site(111.13, 0.436, DENSITY)
+    return Case(site, Line(parts), load, fairlead_height=102.04, current=current)
+
+
+def test_a_tension_below_all_that_the_current_leaves_is_said_to_be() -> None:
+    """It ended as not converged: its way from still water ends in a fold."""
+    with pytest.raises(NoEquilibriumError, match=r"at least 2\.223 kN") as caught:
+        solved(against_a_strong_current(Load(fairlead_tension=2217.0)))
+    assert caught.value.missing == pytest.approx(6.0, abs=0.6)
+    # Spans given, from the other side, go another way: no tension about the least is below it.
+    at = [
+        solved(against_a_strong_current(Load(span=span), math.pi)).fairlead.tension
+        for span in (135.0, 139.6, 144.0)
+    ]
+    assert at[1] < min(at[0], at[2])
+    assert at[1] == pytest.approx(2217.0 + caught.value.missing, abs=0.05)
+
+
+def test_both_spans_with_a_tension_above_the_least_are_told() -> None:
+    solution = solved(against_a_strong_current(Load(fairlead_tension=2300.0)))
+    (told,) = [w for w in solution.warnings if "several spans" in w]
+    spans = {
+        round(-solution.span),
+        *(round(-float(each)) for each in re.findall(r"and (.+) m;", told)),
+    }
+    for span in spans:
+        again = solved(against_a_strong_current(Load(span=float(span)), math.pi))
+        assert again.fairlead.tension == pytest.approx(2300.0, abs=5.0)
+    assert len(spans) == 2
