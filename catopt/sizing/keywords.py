@@ -216,7 +216,7 @@ def size_tanker(
 
 
 def _sized(
-    moored: Moored, /, request: object, misspelt: Mapping[str, object], **keywords: object
+    moored: Moored, /, request: object, misspelt: dict[str, object], **keywords: object
 ) -> Sizing:
     inputs = {name: value for name, value in keywords.items() if value is not None} | misspelt
     if isinstance(request, str) and moored == "buoy" and "buoy" not in inputs:

@@ -35,6 +35,15 @@ def test_a_fault_of_ours_is_1_and_asks_for_debug(
     assert "Traceback" in ran.err
 
 
+def test_a_case_with_nothing_to_check_is_3_under_strict_as_the_page_says(run: Run) -> None:
+    assert run("check", BUOY).status == 0
+    strict = run("check", BUOY, "--strict")
+    assert strict.status == 3
+    assert strict.out
+    page = (Path(__file__).parents[2] / "docs" / "commands.md").read_text("utf-8")
+    assert "3 if a check fails, there is none, or the models do not agree" in page
+
+
 def test_another_function_s_input_error_is_passed_on(
     run: Run, monkeypatch: pytest.MonkeyPatch
 ) -> None:
