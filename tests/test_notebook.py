@@ -118,6 +118,4 @@ def test_a_type_checker_passes_what_the_pages_show(tmp_path: Path) -> None:
 
 
 if __name__ == "__main__":
-    import nbformat
-
-    nbformat.write(executed(), NOTEBOOK)
+    pytest.importorskip("nbformat").write(executed(), NOTEBOOK)

@@ -95,7 +95,9 @@ def test_a_form_prints_on_two_pages_without_its_keys(moored: Moored) -> None:
     assert sheet.print_area == f"'Form'!$A$1:$D${rows}"
     setup = sheet.page_setup
     assert (setup.fitToWidth, setup.fitToHeight, setup.paperSize) == (1, 2, 9)
-    assert sheet.sheet_properties.pageSetUpPr.fitToPage
+    pages = sheet.sheet_properties.pageSetUpPr
+    assert pages is not None
+    assert pages.fitToPage
     assert sheet.print_title_rows == "$1:$3"
 
 
