@@ -81,11 +81,11 @@ PUT_IN: Mapping[str, Mapping[str, tuple[Any, str]]] = {
     "catalog": {
         "anchors": (
             tuple[AnchorHeld, ...],
-            "What drag anchors hold; left out where none was asked for.",
+            "Holding capacity of drag anchors; left out where none was asked for.",
         ),
         "sinkers": (
             tuple[SinkerHeld, ...],
-            "What a sinker holds, by soil; left out where none was asked for.",
+            "Holding capacity of a sinker, by soil; left out where none was asked for.",
         ),
     },
     "design": {

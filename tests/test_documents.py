@@ -29,20 +29,20 @@ def refused(function: Any, *arguments: Any, **named: Any) -> str:
 def test_what_is_no_regular_file_is_not_opened(name: str) -> None:
     if name == "/dev/stdin" and Path(name).is_file():
         pytest.skip("standard input is a file here")
-    assert "case file: it is no regular file" in refused(read_text, Path(name), name)
+    assert "case file: it is not a regular file" in refused(read_text, Path(name), name)
 
 
 @pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="has no pipes with names")
 def test_nor_is_a_pipe_that_nobody_writes_to(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe")
-    assert "it is no regular file" in refused(read_text, tmp_path / "pipe", "pipe")
+    assert "it is not a regular file" in refused(read_text, tmp_path / "pipe", "pipe")
 
 
 def test_a_file_beyond_the_limit_is_not_read(tmp_path: Path) -> None:
     path = tmp_path / "case.toml"
     path.touch()
     os.truncate(path, MOST_BYTES + 1)  # it takes no room on the disk
-    assert "case file: it has 4.0 MB; 4 MB are the most" in refused(read_text, path, "case.toml")
+    assert "case file: it has 4.0 MB; at most 4 MB" in refused(read_text, path, "case.toml")
     os.truncate(path, 10)
     assert read_text(path, "case.toml") == "\0" * 10
 

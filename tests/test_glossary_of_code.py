@@ -1,4 +1,4 @@
-"""docs/glossary.md names every public class, and nothing that there is not."""
+"""docs/names.md names every public class, and nothing that there is not."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from importlib import import_module
 import catopt
 from tests.api_page import DOCS, PAGES, names
 
-PAGE = (DOCS / "glossary.md").read_text("utf-8")
+PAGE = (DOCS / "names.md").read_text("utf-8")
 PUBLIC, INSIDE = PAGE.split("\n## Inside\n")
 ROW = re.compile(r"^\| (?!---|term|idea)(.*) \|$", re.MULTILINE)
 
@@ -30,7 +30,7 @@ def public_classes() -> set[str]:
     return {name for name, each in classes.items() if not issubclass(each, Exception)}
 
 
-def test_every_public_class_is_in_the_glossary_once() -> None:
+def test_every_public_class_is_named_once() -> None:
     told = [name for row in ROW.findall(PUBLIC) for name in named(row.split(" | ")[1])]
     assert sorted(told) == sorted(public_classes())
 

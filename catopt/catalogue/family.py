@@ -14,7 +14,7 @@ from catopt.errors import refused
 from catopt.model.kinds import Length
 from catopt.records import Record
 from catopt.units import as_written
-from catopt.words import Message
+from catopt.words import Message, typed_name
 
 
 def in_mm(diameter: float) -> str:
@@ -118,8 +118,10 @@ def find_name(name: object, families: Iterable[Family]) -> ComponentName:
     """
     names = list(_names(families))
     found = {plain: stands_for for plain, _, stands_for in reversed(names)}
-    if isinstance(name, str) and _plain(name) in found:
-        return found[_plain(name)]
+    if isinstance(name, str):
+        plain = _plain(name) if _plain(name) in found else _plain(typed_name(name))
+        if plain in found:
+            return found[plain]
     near = nearest(name, [shown for _, shown, _ in names]) if isinstance(name, str) else None
     allowed = Message("refused.no_component")
     if near:

@@ -16,7 +16,7 @@ from catopt.cli.options import ForceOption, LengthOption, TablesOutOption
 from catopt.cli.values import by_option, given_ones, in_si, refuse, refused
 from catopt.errors import InputError, NoAnswerError, Problem
 from catopt.units import Dimension, as_written
-from catopt.words import Measure, Message, say
+from catopt.words import Measure, Message, say, typed_name
 
 if TYPE_CHECKING:
     from catopt.catalogue import Catalogue, Component, Family
@@ -124,7 +124,7 @@ def anchor(
 
     values = in_si({"--mass": (mass, Dimension.MASS)})
     with _by_option({"anchor": "ANCHOR", "mass": "--mass", "soil": "--soil"}):
-        of = SOILS.get(soil.casefold(), soil) if soil is not None else None
+        of = None if soil is None else SOILS.get(typed_name(soil).casefold(), soil)
         held = anchors_held(named_anchors(name), of, values.get("--mass"), allow_recalled=recalled)
     _give(asked, "anchor", (), anchors=held)
 
@@ -184,7 +184,7 @@ def sinker(
     density = given_ones(water_density=values.get("--water-density"))
     with _by_option({"material": "--material"}):
         held = sinkers_held(
-            values["MASS"], material, base_area=values.get("--base-area"), **density
+            values["MASS"], typed_name(material), base_area=values.get("--base-area"), **density
         )
     named = soil if soil is None else soil_named(soil)
     own = [

@@ -26,7 +26,7 @@ from catopt.loads.environment import (
     drag_component,
 )
 from catopt.model.kinds import Findings, exceeds
-from catopt.words import Measure, Message, Several, term
+from catopt.words import Measure, Message, Several, term, typed_name
 
 Made = TypeVar("Made")
 
@@ -54,8 +54,8 @@ def buoy(name: str, among: tuple[BuoyShape, ...] | None = None) -> BuoyShape:
         When there is none of that name.
     """
     known = {each.name: each for each in (buoys() if among is None else among)}
-    if name in known:
-        return known[name]
+    if (typed := typed_name(name)) in known:
+        return known[typed]
     near = nearest(name, tuple(known))
     hint = Message("refused.there_are", names=", ".join(known))
     if near:

@@ -25,7 +25,7 @@ from catopt.model.kinds import (
 from catopt.model.line import weight_in_water
 from catopt.records import Record
 from catopt.units import Dimension, as_written
-from catopt.words import Message, term
+from catopt.words import Message, term, typed_name
 
 Material = Literal["concrete", "concrete cast in place", "steel", "cast iron"]
 
@@ -161,7 +161,8 @@ def soil_named(word: str) -> str:
     >>> soil_named("sand"), soil_named("Mud"), soil_named("hard clay")
     ('fine or silty sand', 'soft clay', 'hard clay')
     """
-    return _WEAKEST.get(word.strip().casefold(), word)
+    english = typed_name(word)
+    return _WEAKEST.get(english.strip().casefold(), english)
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,7 @@ from catopt.records import Record
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import default_of, kind_of, usual
 from catopt.units import UNITS, Dimension, as_written, to_si
-from catopt.words import Cited, Measure, Message, Several, term
+from catopt.words import Cited, Measure, Message, Several, term, typed_name
 
 Made = TypeVar("Made")
 
@@ -334,6 +334,8 @@ def _read(errors: ErrorCollector, each: Input, value: object) -> Any:
     """Read the value of an input, or several; None, and no more told, when one is wrong."""
     given = os.fspath(value) if isinstance(value, os.PathLike) else value
     many = given if each.several and isinstance(given, list | tuple) else [given]
+    if each.takes in ("NAME", "WHICH"):
+        many = [typed_name(one) if isinstance(one, str) else one for one in many]
     read = kind_of(each).read
     found = [
         errors.read(each.name, read, one, index if each.several else None)

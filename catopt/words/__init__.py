@@ -51,6 +51,7 @@ from catopt.words.message import (
     quantity_name,
     say,
     term,
+    typed_name,
 )
 
 __all__ = [
@@ -71,4 +72,5 @@ __all__ = [
     "quantity_name",
     "say",
     "term",
+    "typed_name",
 ]

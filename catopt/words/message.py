@@ -87,6 +87,38 @@ def _names(language: Language) -> Mapping[str, str]:
     return dict(sorted(found.items(), key=lambda each: -len(each[0])))
 
 
+def typed_name(said: str) -> str:
+    """Take a name or a word that is shown in another language back to the one in code and data.
+
+    Other text stays as it is; capitals do not matter.
+
+    Examples
+    --------
+    >>> typed_name("phao trụ 1.8 m"), typed_name("Xích không ngáng R3"), typed_name("cát")
+    ('pillar 1.8 m', 'chain studless R3', 'sand')
+    """
+    from unicodedata import normalize
+
+    shown = _shown()
+    plain = normalize("NFC", said.strip()).casefold()
+    family = next((each for each in shown if plain.startswith(f"{each} ")), "")
+    if plain in shown or not family:
+        return shown.get(plain, said)
+    return shown[family] + normalize("NFC", said.strip())[len(family) :]
+
+
+@cache
+def _shown() -> Mapping[str, str]:
+    """Names and terms of code and data by what they are in other languages, longer ones first."""
+    found: dict[str, str] = {}
+    for name in ("names", "terms"):
+        for texts in group(name).values():
+            if isinstance(english := texts["en"], str):
+                for language in LANGUAGES[1:]:
+                    found.setdefault(str(texts[language]).casefold(), english)
+    return dict(sorted(found.items(), key=lambda each: -len(each[0])))
+
+
 class _Filled(Formatter):
     """Fills a text as `str.format` does; no number has an exponent that people do not read.
 

@@ -43,11 +43,11 @@ def test_what_governs_is_said() -> None:
 def test_what_stands_for_motion_is_said_with_where_it_is_from() -> None:
     of = replace(by_force(), dynamic_factor=1.5, motion=Message("sizing.factor_given"))
     said = motion_sentence(of)
-    assert said == "Allowance for motion 1.5 on the steady forces, in every check (given)."
+    assert said == "Dynamic factor of 1.5 on the steady forces, in every check (given)."
     assert say(said, "vi").startswith("Hệ số động 1.5 ")
     assert say(said, "vi").endswith("(cho trước).")
     none = motion_sentence(replace(of, dynamic_factor=1.0))
-    assert none == "No allowance for motion on the steady forces (given)."
+    assert none == "No dynamic factor on the steady forces (given)."
 
 
 @pytest.mark.parametrize(("MBL", "parts"), [(4e3, True), (5e3, False)])

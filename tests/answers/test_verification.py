@@ -97,7 +97,7 @@ def test_several_load_cases_add_up_to_a_sentence(found: Verification) -> None:
 def test_a_front_adds_up_to_a_sentence() -> None:
     too_short = replace(CASES["hanging"], fairlead_height=30.0)
     front = verify_front("F", [Design(1, CASES["hanging"]), Design(2, too_short)])
-    assert front_sentence(front) == "Of 2 designs the two models have no answer for 1."
+    assert front_sentence(front) == "For 1 of 2 designs the two models have no solution."
     designs = tables_of(front_answer(front))["designs"]
     assert designs["Verdict"].tolist() == ["agrees", "no answer"]
 

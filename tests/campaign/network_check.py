@@ -191,7 +191,7 @@ def _unless(network: Network, error: CatoptError, is_so: Any) -> list[str]:
         found = at_rest(network)
     except CatoptError as other:
         return [f"{error}; and without its cause: {type(other).__name__}: {other}"]
-    rubs = "rubs on the bed between parts that hang" in error.message
+    rubs = "lies on the bed between hanging parts" in error.message
     faults = [each for each in faults_of_answer(found) if not (rubs and "N left at" in each)]
     return faults if faults or is_so(found) else [f"nothing of the kind: {error}"]
 

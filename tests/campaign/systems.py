@@ -53,7 +53,7 @@ MOST_UNRESOLVED = 0.2
 """Part of the yaws at which the search may find no rest: lines that do not stretch may bar some."""
 
 OTHER = re.compile(r"at a yaw of (\S+) deg, its origin at \((\S+), (\S+)\) m")
-LIMIT = re.compile(r"moment of (\S+) N m on the body: they hold it up to (\S+) N m")
+LIMIT = re.compile(r"moment of (\S+) N m on the body: they resist up to (\S+) N m")
 
 
 @dataclass(frozen=True)

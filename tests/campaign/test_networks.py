@@ -82,5 +82,5 @@ def test_a_step_goes_down_where_friction_makes_stiffness_lopsided() -> None:
 def test_what_rubs_between_hanging_parts_of_a_row_is_refused() -> None:
     """A load that touches the rough bed between two floats: before, 1580 N were left over there."""
     assert judge(4709) == ("refused", [])
-    with pytest.raises(NoEquilibriumError, match="rubs on the bed between parts that hang"):
+    with pytest.raises(NoEquilibriumError, match="lies on the bed between hanging parts"):
         at_rest(drawn(4709))

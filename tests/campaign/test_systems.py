@@ -102,8 +102,8 @@ def test_a_heading_that_is_not_named_is_seen() -> None:
 def test_a_heading_that_does_not_exist_is_seen() -> None:
     solution = solve_system(LOADED)
     told = (
-        "the body would also rest at a yaw of 90.00 deg, its origin at (0.000, 0.000) m: which "
-        "of them it takes depends on how it came there"
+        "the body also has equilibrium at a yaw of 90.00 deg, its origin at (0.000, 0.000) m: "
+        "which one it takes depends on its history"
     )
     faults = faults_of_answer(replace(solution, warnings=(told,)))
     assert any("where a warning says" in fault for fault in faults)
@@ -111,7 +111,7 @@ def test_a_heading_that_does_not_exist_is_seen() -> None:
 
 def refused(moment: float, carried: float, missing: float) -> NoEquilibriumError:
     return NoEquilibriumError(
-        f"the lines cannot carry the moment of {moment:.6g} N m on the body: they hold it up to "
+        f"the lines cannot carry the moment of {moment:.6g} N m on the body: they resist up to "
         f"{carried:.6g} N m in that sense, {missing:.4g} N m less",
         "moment",
         missing,

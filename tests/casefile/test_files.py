@@ -82,7 +82,7 @@ def test_a_path_object_is_taken(folder: Path) -> None:
     [
         ("a = 20 m", 'put a value with a unit in quotes, such as "9.5 m"'),
         ("a = 9,5", "write a decimal point, not a comma"),
-        ("a = 1 000", "write the number in one piece"),
+        ("a = 1 000", "write the number without gaps"),
         ("a = .5", "write a digit on both sides of the decimal point"),
         ("a = 5.", "write a digit on both sides of the decimal point"),
         ("a = deep", "put text in quotes"),
@@ -90,10 +90,10 @@ def test_a_path_object_is_taken(folder: Path) -> None:
         ("a =   # later", "the value is missing"),
         ("a: 5", "write = between a key and its value, not a colon"),
         ('a = "C:\\cases"', "write / instead of \\, or put the text in single quotes"),
-        ("a = “5 m”", 'write plain quotes: "'),
+        ("a = “5 m”", 'use plain quotes: "'),
         ('a = "5 m', "the closing quote is missing"),
-        ("a = 1\na = 2", "this key stands twice in its table; keep one"),
-        ("[a]\n[a]", "this section stands twice; put its keys together in one"),
+        ("a = 1\na = 2", "this key is given twice in its table; keep one"),
+        ("[a]\n[a]", "this section is given twice; merge its keys into one"),
         ("[[a]", "expected ']]' at the end of an array declaration"),
     ],
 )

@@ -103,7 +103,9 @@ def test_every_command_answers_or_says_what_it_wants(run: Run, tmp_path: Path) -
 
 def test_what_wants_water_wants_a_site() -> None:
     wet = CABLE + '[current]\nprofile = "uniform"\nspeed = "1 m/s"\n[anchor]\nkind = "sinker"\n'
-    with pytest.raises(InputError, match=r"site: missing; a table \[site\] goes with \[anchor\]"):
+    with pytest.raises(
+        InputError, match=r"site: missing; \[anchor\], \[current\] needs a table \[site\]"
+    ):
         parse_case(wet)
     with pytest.raises(InputError, match=r"line\.fairlead_height: missing"):
         parse_case(CABLE.replace('fairlead_height = "5 m"', ""))

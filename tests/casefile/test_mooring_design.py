@@ -191,7 +191,7 @@ def test_a_design_under_several_loads_is_read_at_its_water_level(tmp_path: Path)
     unasked = replace(found, system=replace(found.system, judged_line_out=False))
     told = check_case(unasked)
     assert {place.state for place in told.places} == {"intact"}
-    assert any("asks for no line out" in each for each in told.warnings)
+    assert any("no damaged (one line out) state was requested" in each for each in told.warnings)
     assert found.fairlead_height == case.fairlead_height + lift
     assert found.site.water_depth == case.site.water_depth + point.mooring.load.water_level
     assert check_case(found).passes

@@ -101,13 +101,13 @@ def test_what_is_wrong_is_named(text: str, key: str) -> None:
 
 def test_the_model_refuses_a_load_beside_a_system() -> None:
     case = parse_case(HEAD + SYSTEM)
-    with pytest.raises(InputError, match="load: found beside a system"):
+    with pytest.raises(InputError, match="load: found together with a system"):
         Case(Site(50.0), LINE, Load(span=500.0), 48.0, system=case.system)
 
 
 def test_a_system_has_a_level_bed() -> None:
     sloped = HEAD.replace("[site]\n", '[site]\nseabed_slope = "3 deg"\n')
-    with pytest.raises(InputError, match="a bed slopes along one line") as caught:
+    with pytest.raises(InputError, match="a sloping bed is for one line") as caught:
         parse_case(sloped + SYSTEM)
     assert [each.key for each in caught.value.problems] == ["site.seabed_slope"]
     case = parse_case(HEAD + SYSTEM)
@@ -181,7 +181,7 @@ def test_a_free_body_is_read_in_si() -> None:
 @pytest.mark.parametrize(
     ("left_out", "message"),
     [
-        ('rao_phase = "lead"\n', "motion.rao_phase: missing; the RAOs of a body mean nothing"),
+        ('rao_phase = "lead"\n', "motion.rao_phase: missing; the RAOs of a body need it"),
         ('rao_reference = ["1 m", "-2 m", "22 m"]\n', "motion.rao_reference: missing"),
         ('rao_rotation = "rad/m"\n', "motion.rao_rotation: missing"),
         ('rao_per = "height"\n', "motion.rao_per: missing"),
@@ -201,7 +201,10 @@ def test_what_raos_do_not_say_themselves_has_to_be_there(left_out: str, message:
         (FREE.replace("broken_at", "# broken_at"), "dynamics.broken_at: missing"),
         (FREE.replace("broken_line = 2", "broken_line = 4"), "there are 3 lines"),
         (FREE.replace('"12 s"', '"24 s"'), "must be below 24 s, the duration"),
-        (LED.replace("[dynamics]\n", '[body]\nmass = "1 t"\n[dynamics]\n'), "a body is led, or"),
+        (
+            LED.replace("[dynamics]\n", '[body]\nmass = "1 t"\n[dynamics]\n'),
+            "a body either has prescribed motion or",
+        ),
     ],
 )
 def test_mistakes_of_a_body_in_motion_are_told_once(text: str, message: str) -> None:

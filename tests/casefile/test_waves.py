@@ -83,8 +83,8 @@ def test_a_record_counts_from_the_folder_of_the_case(tmp_path: Path) -> None:
         (
             '[waves]\nelevation_file = "e.csv"\nseed = 1\nheight = "2 m"\n',
             [
-                "waves.seed: found 1; does not go with elevation_file; leave it out",
-                'waves.height: found "2 m"; does not go with elevation_file; leave it out',
+                "waves.seed: found 1; cannot be combined with elevation_file; leave it out",
+                'waves.height: found "2 m"; cannot be combined with elevation_file; leave it out',
             ],
         ),
         (
@@ -93,8 +93,8 @@ def test_a_record_counts_from_the_folder_of_the_case(tmp_path: Path) -> None:
             'peak_enhancement = 3.3\n[[waves.trains]]\nspectrum = "jonswap"\nheight = 2\n'
             "period = 8\nspreading_directions = 10\n",
             [
-                "waves.components: found 200; stands in each of the trains; leave it out here",
-                "waves.shortest_period: found 2; does not go with trains; leave it out",
+                "waves.components: found 200; is given in each of the trains; leave it out here",
+                "waves.shortest_period: found 2; cannot be combined with trains; leave it out",
                 "waves.trains[0].spreading_exponent: found 2; a regular wave has one direction; "
                 "leave it out",
                 "waves.trains[0].peak_enhancement: found 3.3; goes with jonswap, not with regular; "
@@ -150,7 +150,7 @@ def test_what_goes_with_another_current_is_told_at_once() -> None:
         'depths = [0, 5]\nspeeds = [1, 1]\ndirection = "0 deg"\ndirections = ["0 deg", "100 deg"]\n'
     )
     assert problems(text) == [
-        'current.direction: found "0 deg"; goes with one of all depths; leave it out',
+        'current.direction: found "0 deg"; goes with one value for all depths; leave it out',
         'current.directions[1]: found "100 deg"; more than a right angle from the row before: '
         "give a row between them",
     ]

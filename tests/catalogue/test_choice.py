@@ -35,7 +35,7 @@ def test_a_variant_of_no_component_is_named_with_those_that_there_are() -> None:
     assert of_EA == Problem(
         "EA", '"spam"', "one of dnv-os-e301-2010, dnv-os-e301-2000, orcaflex is required"
     )
-    assert of_MBL == Problem("MBL", '"spam"', "there is only one figure; leave it out")
+    assert of_MBL == Problem("MBL", '"spam"', "there is only one value; leave it out")
 
 
 def test_a_recalled_variant_wants_to_be_asked_for() -> None:

@@ -68,8 +68,8 @@ def test_how_a_query_is_read() -> None:
             "shackle 20",
             "not in this size: bow shackle: 17 sizes from 22 mm to 150 mm; joining shackle",
         ),
-        ("shackle 1/0", "nothing goes by that name; catopt catalog list has the families"),
-        ("zzzzzz", "nothing goes by that name; catopt catalog list has the families"),
+        ("shackle 1/0", "no such name; catopt catalog list shows the families"),
+        ("zzzzzz", "no such name; catopt catalog list shows the families"),
     ],
 )
 def test_what_is_not_there(words: str, said: str) -> None:

@@ -164,7 +164,7 @@ def test_a_grade_is_wanted_where_there_are_grades_and_only_there() -> None:
 def test_a_variant_of_another_grade_is_none() -> None:
     with pytest.raises(InputError, match=r"variants\.EA.*one of orcaflex is required"):
         catalogue.component("chain studless R3S", 0.076, variants={"EA": "dnv-os-e301-2010"})
-    with pytest.raises(InputError, match=r"variants\.MBL.*only one figure"):
+    with pytest.raises(InputError, match=r"variants\.MBL.*only one value"):
         catalogue.component("chain studless R3S", 0.076, variants={"MBL": "vryhof"})
 
 

@@ -150,7 +150,7 @@ def test_a_fitting_that_is_for_thinner_chain_alone_is_not_called_weak() -> None:
     assert set(of.missing) == {"sinker ring"}
     said = of.missing["sinker ring"]
     assert said == (
-        "sinker ring: those in the catalogue that are as strong as the chain (3850.3 kN) are for "
+        "sinker ring: those in the catalogue as strong as the chain (3850.3 kN) are for "
         "chain of up to 102 mm, not 105 mm. Have one made with a certificate."
     )
     assert "xích đến 102 mm, không dùng cho 105 mm" in say(said, "vi")

@@ -63,8 +63,8 @@ def test_another_size_of_buoy_is_said_to_be_outside() -> None:
     assert said.laid is not None
     assert not said.laid.is_of_size
     assert said.message == (
-        "the buoy's own entry has chain of 20 to 50 mm; beside the 20 to 30 m laid for one of "
-        "2.2 m here this is longer; no table of its own size was read"
+        "the buoy's own entry has chain of 20 to 50 mm; compared with the 20 to 30 m laid for a "
+        "buoy of 2.2 m here this is longer; no table for its own size was read"
     )
     thin = practice_of_buoy(
         0.018, 25.0, buoy_diameter=2.4, depth=10.0, current=1.0, chain_limits=(0.02, 0.05)

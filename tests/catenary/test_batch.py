@@ -100,7 +100,7 @@ def test_shapes_that_do_not_fit_are_refused() -> None:
         solve_many(LEG, height=71.4)
     with pytest.raises(InputError, match=r"shape \(3,\)"):
         solve_many(LEG, height=71.4, span=1050.0, lengths=[1.0, 2.0])
-    with pytest.raises(InputError, match="one entry a line"):
+    with pytest.raises(InputError, match="one entry per line"):
         solve_many(LEG, height=[71.4, 70.0], span=[1050.0, 1051.0, 1052.0])
 
 

@@ -45,8 +45,8 @@ def test_the_refusal_names_the_buoy_and_the_way_out() -> None:
         catopt.solve_case(case())
     assert str(refused.value) == (
         f"the buoy line.point_loads[0] (float) at 80 m would float {z - 50.0:.4g} m above the "
-        "water surface under its full lift of 150000 N, which it has only in the water. Give it "
-        "less lift, move it towards the anchor, or pull harder; the water is 50 m deep."
+        "water surface under its full lift of 150000 N, which it has only when submerged. Give it "
+        "less lift, move it towards the anchor, or increase the force; the water is 50 m deep."
     )
     assert refused.value.exit_status == 3
 

@@ -88,7 +88,7 @@ def test_conditions_go_with_a_span_alone() -> None:
         find_length(WIRE, height=60.0, span=600.0, fairlead_tension=2e5, sag=1.0)
     with pytest.raises(InputError, match="a force above 0 N"):
         find_length(WIRE, height=60.0, span=600.0, fairlead_tension=-2e5)
-    with pytest.raises(InputError, match=r"find\.fairlead_tension.*it goes with span"):
+    with pytest.raises(InputError, match=r"find\.fairlead_tension.*applies with span"):
         parse_case(
             CABLE.replace('span = "20 m"', 'horizontal_force = "2 kN"')
             + 'fairlead_tension = "3 kN"\n'

@@ -115,7 +115,7 @@ def test_no_clump_weight_of_the_issue() -> None:
     with pytest.raises(NoAnswerError) as refused:
         find_clump_weight(line, height=46.0, horizontal_force=130e3)
     assert str(refused.value) == (
-        "no clump weight gives inclination at the anchor 0 deg: even one without bound only draws "
+        "no clump weight gives inclination at the anchor 0 deg: however heavy, it only pulls "
         "the 29 m of line above it straight down, hangs 17 m above the bed and leaves 18.25 deg at "
         "the anchor. Move it towards the anchor, or give a longer line."
     )

@@ -529,8 +529,8 @@ def test_too_small_a_swarm_has_no_result() -> None:
     assert caught.value.exit_status == 4
     assert str(caught.value) == (
         "the swarm did not converge: the smallest f of 1 run of 2 particles and 1 iteration is "
-        f"{f:.3g} m, and only below 1e-06 m is it a result. "
-        "Give it more particles, iterations or runs, or take the closed form."
+        f"{f:.3g} m, and a result needs f below 1e-06 m. "
+        "Give it more particles, iterations or runs, or use the closed form."
     )
 
 

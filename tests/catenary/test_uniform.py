@@ -115,7 +115,7 @@ def test_line_shorter_than_the_span_says_how_much_is_missing() -> None:
 
 
 def test_line_just_as_long_as_the_distance_needs_an_infinite_force() -> None:
-    with pytest.raises(NoEquilibriumError, match="just as long") as caught:
+    with pytest.raises(NoEquilibriumError, match="no finite force pulls it straight") as caught:
         solve(Line([Segment(5.0, W)]), height=3.0, span=4.0)
     assert caught.value.missing == 0.0
 

@@ -55,7 +55,7 @@ def test_the_worst_failure_governs() -> None:
 def test_no_criterion_is_warned_of() -> None:
     report = check_case(GROUNDED)
     assert (report.results, report.governing, report.passes) == ((), None, True)
-    assert "no check was asked for" in report.warnings[0]
+    assert "no check was requested" in report.warnings[0]
 
 
 def test_a_load_case_without_equilibrium_is_named() -> None:

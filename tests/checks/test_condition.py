@@ -132,7 +132,7 @@ def test_the_condition_is_written_and_read_again() -> None:
 
 def test_a_condition_without_a_service_is_refused() -> None:
     text = CASE.replace('[service]\nlife = "5 years"\nwear_rate = "0.4 mm/year"\n', "")
-    with pytest.raises(InputError, match="nothing wears without it") as told:
+    with pytest.raises(InputError, match="there is no wear without it") as told:
         parse_case(text)
     assert {each.key for each in told.value.problems} >= {"load_cases[1].condition"}
     with pytest.raises(InputError, match="condition"):

@@ -57,7 +57,9 @@ def test_of_two_limits_the_stricter_counts_whichever_comes_first(first: int) -> 
 
 def test_a_search_is_refused_under_a_check_that_it_does_not_keep() -> None:
     asked = [limit("span", 50.0), limit("new", 1.0)]  # type: ignore[arg-type]
-    with pytest.raises(InputError, match="checks: new: found required by code; no search keeps"):
+    with pytest.raises(
+        InputError, match="checks: new: found required by code; the search does not apply"
+    ):
         keeping(*asked).limits("extreme")
 
 

@@ -73,7 +73,7 @@ def turning_points(values: Sequence[float]) -> list[float]:
 def four_points(values: Sequence[float]) -> list[tuple[float, float]]:
     """Range and count of each cycle by four points: an inner pair within an outer one is a cycle.
 
-    What is left over counts half. The sum over the ranges is that of E1049's three points, for
+    What remains at counts half. The sum over the ranges is that of E1049's three points, for
     both leave out the same pairs and leave over the same residue.
     """
     stack: list[float] = []

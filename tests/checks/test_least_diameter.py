@@ -135,7 +135,7 @@ def _moved(case: Case, pull: float) -> CheckReport:
 @pytest.mark.parametrize(
     ("pull", "limit", "by"),
     [
-        (1.0e6, 0.078, "no thinner one was run in motion"),  # by tension 80 sqrt(2/4) = 56.6
+        (1.0e6, 0.078, "no thinner line was run in motion"),  # by tension 80 sqrt(2/4) = 56.6
         (1.95e6, 0.08 * math.sqrt(0.975), "tension in motion"),  # 78.99, above 78
     ],
 )

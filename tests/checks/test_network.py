@@ -71,7 +71,7 @@ def test_what_is_left_carries_all_when_a_line_is_lost() -> None:
     for line, missing in ((2, 1), (1, 2)):
         (found,) = of(report, "tension", line=line, missing=missing)
         assert (found.demand, found.capacity) == pytest.approx((6e3, 32e3), rel=1e-5)
-    assert "the body stays where it is held" in "\n".join(report.warnings)
+    assert "the body is held in place" in "\n".join(report.warnings)
     assert not of(report, "equilibrium", missing=1)
 
 

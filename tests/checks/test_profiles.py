@@ -189,8 +189,8 @@ def test_recalled_profiles_are_off_unless_allowed_and_marked_where_they_are() ->
     assert result.utilisation == pytest.approx(0.5, rel=CLOSE)
     assert report.warnings == (
         "ISO-19901-7: recalled, read in no document: its line factors equal those of API RP 2SK",
-        "ISO-19901-7: what is for one line out is not judged on a line by itself; give all lines "
-        "as [system]",
+        "ISO-19901-7: the criteria for one line damaged do not apply to a single line; give all "
+        "lines as [system]",
     )
 
 
@@ -212,7 +212,7 @@ def test_iala_is_for_chain() -> None:
     report = check_case(asking(checks=asks("IALA-CALMAR"), line=type(GROUNDED.line)([wire])))
     assert [result.kind for result in report.results] == ["uplift_angle"]
     assert report.warnings[1] == (
-        "no criterion is on the tension of segment 1 (wire spiral-strand 100 mm)"
+        "no criterion limits the tension of segment 1 (wire spiral-strand 100 mm)"
     )
 
 

@@ -211,11 +211,11 @@ def test_the_numbers_of_the_case_hold_in_both_states() -> None:
 def test_a_code_without_a_factor_for_one_line_out_judges_the_intact_body_and_says_so() -> None:
     alone = check_case(body(checks=by("break/5")))
     assert {each.place.state for each in alone.results} == {"intact"}
-    assert any("no criterion is for one line out" in each for each in alone.warnings)
+    assert any("no criterion for one line damaged" in each for each in alone.warnings)
     both = check_case(body(checks=by("break/5", "API-RP-2SK")))
     assert {e.source.code for e in tensions(both, "one_line_out")} == {"API-RP-2SK"}
     assert (
-        "break/5 has nothing for one line out: by it the intact state alone is judged"
+        "break/5 has no criterion for one line damaged: only the intact state is checked by it"
         in both.warnings
     )
 
@@ -241,10 +241,10 @@ def test_a_body_that_cannot_do_without_its_line_fails_by_the_codes_for_that() ->
     assert (lost.demand, lost.capacity, lost.exceedance, lost.utilisation) == (1.0, 0.0, 1.0, None)
     assert (lost.place.state, lost.place.missing) == ("one_line_out", 1)
     assert report.governing == lost
-    assert not any("has nothing for one line out" in each for each in report.warnings)
+    assert not any("has no criterion for one line damaged" in each for each in report.warnings)
     single = check_case(body(1, by("DNV-OS-E301-2008-CC1-SPM")))
     assert single.passes
-    assert any("the body hangs on one line" in each for each in single.warnings)
+    assert any("the body is moored by one line" in each for each in single.warnings)
 
 
 def test_a_number_for_every_state_does_not_ask_a_body_to_lose_its_one_line() -> None:
@@ -253,7 +253,7 @@ def test_a_number_for_every_state_does_not_ask_a_body_to_lose_its_one_line() -> 
     (tension,) = report.results
     assert tension.utilisation == pytest.approx(0.8, rel=SOLVED)
     assert tension.place.state == "intact"
-    assert any("the body hangs on one line" in each for each in report.warnings)
+    assert any("the body is moored by one line" in each for each in report.warnings)
 
 
 def test_wear_anchor_span_and_buoyancy_of_every_line() -> None:
@@ -375,5 +375,7 @@ def test_the_old_name_of_the_largest_span_is_read_with_a_warning() -> None:
     assert only(new).kind == "span"
     (told,) = set(check_case(old).warnings) - set(check_case(new).warnings)
     assert told.startswith("max_offset = 60 m limits the span")
-    with pytest.raises(InputError, match=r"max_offset: found 60 m; leave it out beside max_span"):
+    with pytest.raises(
+        InputError, match=r"max_offset: found 60 m; leave it out, max_span is given"
+    ):
         Checks(max_offset=60.0, max_span=50.0)

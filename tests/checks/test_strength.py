@@ -132,7 +132,7 @@ def test_wear_needs_a_diameter() -> None:
 def test_wear_that_leaves_nothing_is_refused() -> None:
     key, allowed = problem(replace(PLAIN, nominal_diameter=0.01), WORN)
     assert key == "line.segments[0].diameter"
-    assert "10 mm over the service life: nothing is left" in allowed
+    assert "10 mm over the service life leaves nothing of the line" in allowed
 
 
 def test_nylon_is_taken_wet_once() -> None:

@@ -47,7 +47,7 @@ def test_a_long_name_without_a_space_is_not_cut_off(run: Run, tmp_path: Path) ->
     name = "ý" * 150
     ran = run("solve", changed(BUOY, tmp_path, ('name = "chain"', f'name = "{name}"')))
     assert (ran.status, fits(ran.out)) == (0, True)
-    assert ran.out.count("ý") == 2 * 150  # in the table of what is given and in that of results
+    assert ran.out.count("ý") == 2 * 150  # in the table of the given and in that of results
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="elsewhere names of files are always text")

@@ -65,7 +65,7 @@ def test_a_damage_that_hangs_on_the_step_is_status_4(
     monkeypatch.setattr("catopt.verify.fatigue.LIMIT", -1.0)
     ran = run("fatigue", NAMED["FATIGUE"])
     assert ran.status == 4
-    assert "NOT PROVEN; the runs in time: NOT CONVERGED" in " ".join(ran.out.split())
+    assert "NOT PROVEN; the simulations: NOT CONVERGED" in " ".join(ran.out.split())
     assert "NOT CONVERGED" in ran.err
 
 

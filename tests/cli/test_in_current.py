@@ -71,4 +71,4 @@ def test_what_it_does_not_go_with_is_told(run: Run, tmp_path: Path) -> None:
         "[load]", '[find]\nquantity = "length"\nsegment = 1\nanchor_angle = "0 deg"\n\n[load]'
     )
     place.write_text(text, encoding="utf-8")
-    assert "a current at rest does not go with [find]" in refused(run, "solve", place).err
+    assert "a current at rest cannot be combined with [find]" in refused(run, "solve", place).err

@@ -93,14 +93,14 @@ def test_a_float_in_a_current_is_in_every_answer(run: Run, tmp_path: Path) -> No
     assert own["drag_N"][0] > 0.0
     assert own["fairlead_force_N"][2] == pytest.approx(6e3, rel=1e-6)
     shown = " ".join(run("system", place).out.split())
-    assert "Floats in the current" in shown
+    assert "Buoys in the current" in shown
     assert "0.9 m/s at the surface, towards 30 deg from x" in shown
     page = run("report", place, "--out", tmp_path / "note.html", "--lang", "vi")
     assert page.status == 0, page.err
     text = (tmp_path / "note.html").read_text("utf-8")
     assert "Bị nhấn xuống" in text
     assert "tích phân dọc theo dây trong dòng chảy" in text
-    assert "no body that could be held" in refused(run, "system", place, "--stiffness").err
+    assert "there is no body to hold" in refused(run, "system", place, "--stiffness").err
 
 
 def test_an_answer_is_written_with_its_case_and_again(run: Run, tmp_path: Path) -> None:
@@ -109,7 +109,7 @@ def test_an_answer_is_written_with_its_case_and_again(run: Run, tmp_path: Path) 
     assert parse_network((folder / "case.toml").read_text("utf-8")) == parse_network(FILE)
     again = run("check", place, "--out", folder)
     assert again.status == 0
-    assert "stays as it is" not in again.err
+    assert "is kept" not in again.err
 
 
 def test_the_note_has_plan_and_side_and_every_line_out(run: Run, tmp_path: Path) -> None:
@@ -148,7 +148,7 @@ def test_the_note_of_an_answer_is_of_its_case(run: Run, tmp_path: Path) -> None:
 
 def test_the_note_refuses_what_is_of_one_line(run: Run, tmp_path: Path) -> None:
     said = refused(run, "report", written(tmp_path), "--method", "pso", "--design", "1").err
-    assert "this file is of lines between points" in said
+    assert "this file has lines between points" in said
     assert "--method" in said
     assert "--design" in said
 
@@ -268,7 +268,7 @@ def test_lines_in_motion_are_answered_line_by_line(run: Run, tmp_path: Path) -> 
     assert [each["name"] for each in moved["joints"]] == ["buoy"]
     ran = run("verify", place, "--dynamic", "--once", "--elements", "10", "--out", tmp_path / "out")
     assert ran.status == 0, ran.err
-    assert "farthest from where they rest" in run(
+    assert "largest distance from equilibrium" in run(
         "verify", place, "--dynamic", "--once", "--elements", "10", "--full"
     ).out.replace("\n", " ")
     series = (tmp_path / "out" / "dynamic_series.csv").read_text("utf-8").splitlines()

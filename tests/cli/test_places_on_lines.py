@@ -41,7 +41,7 @@ def test_both_ends_and_every_instrument_are_on_every_face(run: Run, tmp_path: Pa
     assert "H, to" in shown
     for number in ("0.241", "1314.426"):
         assert number in shown
-    for language, said in (("en", "What hangs on the lines"), ("vi", "Vật treo trên dây")):
+    for language, said in (("en", "Point loads on the lines"), ("vi", "Vật treo trên dây")):
         whole = run("system", STACK, "--full", "--lang", language).out
         for number in ("0.241", "835.321", "24.906", said):
             assert number in whole

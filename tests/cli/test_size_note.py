@@ -66,5 +66,5 @@ def test_options_beside_a_file_are_named_as_going_before_it(run: Run) -> None:
     of_file = parse_toml(SIZE_TANKER.read_text("utf-8"), SIZE_TANKER.name).values()
     tables = [each for each in of_file if isinstance(each, dict)]
     assert len(page.table("inputs").rows) == sum(map(len, tables))
-    assert "These options went before what the file says." in page.sections["size_inputs"]
+    assert "These options overrode the file." in page.sections["size_inputs"]
     assert "size_pattern" in page.sections

@@ -72,7 +72,7 @@ def test_ctrl_c_says_how_to_go_on(tmp_path: Path, workers: str) -> None:
     stopped.send_signal(signal.SIGINT)
     _, err = stopped.communicate(timeout=60)
     assert stopped.returncode == 130
-    assert "the same command goes on" in err
+    assert "the same command continues" in err
     assert "Traceback" not in err
 
 

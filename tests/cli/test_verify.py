@@ -62,12 +62,12 @@ def test_models_that_differ_are_an_answer_and_with_strict_3(run: Run) -> None:
 
 def test_not_converged_is_4_and_no_answer(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
     def never(*_: object, **__: object) -> object:
-        raise NotConvergedError("the truss did not come to rest")
+        raise NotConvergedError("the truss did not reach equilibrium")
 
     monkeypatch.setattr("catopt.verify.line.solve_line", never)
     ran = run("verify", BUOY, "--json")
     assert (ran.status, ran.out) == (4, "")
-    assert "did not come to rest" in ran.err
+    assert "did not reach equilibrium" in ran.err
 
 
 @pytest.mark.slow

@@ -35,7 +35,7 @@ def test_the_mooring_of_a_raft_design() -> None:
     (first, *_) = catopt.solve_system(case.system).lines
     assert first.horizontal_force == pytest.approx(686.540e3, rel=2e-6)
     assert first.tension == pytest.approx(879.105e3, rel=2e-6)
-    assert "9.81 m/s^2 is taken, as RAFT does" in said
+    assert "9.81 m/s^2 is used, as RAFT does" in said
     assert case.line.segments[0].MBL == 8e6
 
 
@@ -102,7 +102,7 @@ def test_an_orcaflex_model_in_several_files() -> None:
     assert found.horizontal_force == pytest.approx(93.187e3, abs=0.5)
     assert found.fairlead.tension == pytest.approx(147.999e3, abs=0.5)
     assert "inc/01_env.yml" in said
-    assert "line 8: the end stands 0.0225 m lower" in said  # the line that names inc/04_lines.yml
+    assert "line 8: the end is 0.0225 m lower" in said  # the line that names inc/04_lines.yml
 
 
 def test_a_file_may_stand_for_one_line_of_a_list(tmp_path: Path) -> None:
@@ -119,7 +119,7 @@ def test_a_file_may_stand_for_one_line_of_a_list(tmp_path: Path) -> None:
     found = catopt.solve_case(case)
     assert found.horizontal_force == pytest.approx(93.187e3, abs=0.5)
     (tmp_path / "loop.yml").write_text("- includefile: loop.yml\n", encoding="utf-8")
-    with pytest.raises(InputError, match="100 included files at most"):
+    with pytest.raises(InputError, match="100 included files"):
         read_any_deck("- includefile: loop.yml\n", str(tmp_path / "model.yml"))
 
 
@@ -149,7 +149,7 @@ def test_a_syrope_rope_is_refused_for_what_it_is() -> None:
         read("10_syrope.txt")
     (problem,) = caught.value.problems
     assert "Syrope rope is not read" in problem.allowed
-    assert "not beside the deck" not in problem.allowed
+    assert "next to the deck" not in problem.allowed
 
 
 def test_a_farm_by_the_places_of_its_turbines(run: Run, tmp_path: Path) -> None:
@@ -254,7 +254,7 @@ def test_rods_of_no_length_are_points() -> None:
     found, remarks = read_any_deck(text, "rods.txt")
     expected, _ = read_any_deck(MOORDYN, "rods.txt")
     assert found == expected
-    assert any("rod 1 has no length: it is a point" in str(each) for each in remarks)
+    assert any("rod 1 has no length: it is read as a point" in str(each) for each in remarks)
     long = text.replace("5.2 0 -70 5.2 0 -70 0 -", "5.2 0 -70 5.2 0 -60 4 -")
     with pytest.raises(InputError, match="no rods with a length"):
         read_any_deck(long, "rods.txt")

@@ -151,12 +151,12 @@ REFUSED = {
         ("320 WtrDpth", "300 WtrDpth", 9, "below the bed"),
         ("1 main 1 4 902.2", "1 main 1 4 -902.2", 18, "above 0"),
         (" 1.6 1.0 0.1 0.0", " 1.6 1.0 0.1 0.0 0 0", 5, "12 columns"),
-        ("384.243e6", "polyester.txt", 5, "not beside the deck"),
+        ("384.243e6", "polyester.txt", 5, "is next to the deck"),
         ("--- OPTIONS ---", "--- SPRINGS ---\n1 2 3\n--- OPTIONS ---", 22, "not known"),
     ],
     ONTOLOGY: [
         ("{type: chain, length: 497.7}", "{type: wire, length: 497.7}", 21, "known: polyester,"),
-        ("{type: chain, length: 497.7}", "{subsections: [[], []]}", 21, "side by side"),
+        ("{type: chain, length: 497.7}", "{subsections: [[], []]}", 21, "parallel lines cannot"),
         ("{type: chain, length", "{mooringFamily: hair, d_nom: 1, length", 21, "chain_"),
         ("connectorType: clump", "connectorType: link", 22, "known: clump"),
         ("[leg, 150, drag1]", "[foot, 150, drag1]", 15, "known: leg"),
@@ -286,7 +286,7 @@ def test_what_a_terminal_would_obey_is_refused_by_its_line() -> None:
     text = MOORDYN.replace("902.2", "902.2\u202e", 1).replace("main", "\x1b[31mmain", 1)
     found = problems(text)
     assert [each.split(":")[0] for each in found] == ["line 5", "line 18"]
-    assert "take it out of the file" in found[0]
+    assert "remove it from the file" in found[0]
     assert not set("\x1b\u202e") & set("".join(found))
 
 

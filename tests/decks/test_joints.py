@@ -87,7 +87,7 @@ def test_the_force_of_a_moordyn_point_is_refused_with_a_way_out() -> None:
         .replace(" 0 0 0 0\n", " 0 0 0 0 0 0 0\n")
         .replace("4 Coupled 5.2 0 -70 0 0 0 0 0", "4 Free 5.2 0 -70 0 0 5 0 0")
     )
-    with pytest.raises(InputError, match="force of the joint into the case file"):
+    with pytest.raises(InputError, match="force of the joint in the case file"):
         read_any_deck(deck)
 
 
@@ -219,15 +219,14 @@ def test_a_file_is_read_and_every_fault_told(tmp_path: Path) -> None:
     wrong = FILE.replace('kind = "joint"', 'kind = "joint"\nx = "5 m"').replace('y = "0 m"', "", 1)
     assert faults(wrong, tmp_path) == [
         "points[0].y: missing; anchors have x, y and height",
-        "points[1].x: leave it out: where a joint comes to rest is found",
+        "points[1].x: leave it out: the position of a joint is an output",
     ]
     found = faults(
         FILE.replace('start = "j"', 'start = "k"', 1).replace('EA = "40 MN"', ""), tmp_path
     )
     assert found == [
         "lines[1].start: no such point; there are a, j, f, g",
-        "lines[0].segments[0].EA: missing; lines to joints and to bodies that are free have to "
-        "stretch",
+        "lines[0].segments[0].EA: missing; lines to joints and to free bodies must be stretch",
     ]
     assert faults(FILE.replace('submerged_weight = "90', 'sumberged_weight = "90'), tmp_path) == [
         "lines[0].segments[0].sumberged_weight: did you mean submerged_weight?"

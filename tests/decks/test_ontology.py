@@ -61,7 +61,7 @@ def test_every_key_is_used_or_named_with_its_line() -> None:
         "anchor_types (31)",
     ):
         assert key in words, key
-    assert "line 6: the one platform is put at x = y = 0" in words
+    assert "line 6: the one platform is placed at x = y = 0" in words
     assert "the deck has no g" in words
     found = read_deck(ONTOLOGY, "farm.yaml")
     assert all(say(each, "vi") != str(each) for each in found.remarks)

@@ -83,14 +83,14 @@ def test_bending_and_tables_are_named() -> None:
     )
     found = read_deck(text, "c06.yml", ONE)
     assert "line 19: not used: bending stiffness EI 75000 N m^2" in said(found)
-    assert "line 23: not used: Cd Generic, None, 0: a table of OrcaFlex's" in said(found)
+    assert "line 23: not used: Cd Generic, None, 0: a table of OrcaFlex" in said(found)
     assert found.case.line.segments[0].drag_normal is None
 
 
 def test_an_end_below_where_the_line_lies() -> None:
     found = read_deck(C06.replace("0.1143, 0, 90", "0, 0, 90"), "c06.yml", ONE)
     assert found.case.anchor_height == 0.0
-    assert "the end stands 0.114 m lower than the line lies" in said(found)
+    assert "the end is 0.114 m lower than the line on the bed" in said(found)
 
 
 def test_all_lines_are_read_unless_one_is_wanted() -> None:

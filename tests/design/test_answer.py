@@ -95,7 +95,7 @@ def test_a_search_that_reaches_every_design_enumerates(method: SearchMethod) -> 
     assert (searched.method, searched.is_exact) == ("enumeration", True)
     assert [p.genes for p in searched.front] == [p.genes for p in exact.front]
     said = (
-        f"{method} was asked for with 300 evaluations, which are no fewer than the 300 designs: "
+        f"{method} was requested with 300 evaluations, no fewer than the 300 designs: "
         "all of them were enumerated instead, which is exact"
     )
     assert said in searched.warnings
@@ -176,7 +176,9 @@ def test_the_ends_say_what_they_run_into() -> None:
 def test_a_choice_that_ends_is_told() -> None:
     case = replace(small_case(clump_weights=()), checks=Checks(safety_factor=2.0))
     least_mass = design_case(case).ends[0]
-    assert "the choices end for the size of segment 1 and the length of segment 1" in least_mass
+    assert (
+        "the allowed values end for the size of segment 1 and the length of segment 1" in least_mass
+    )
 
 
 def test_an_interrupted_search_keeps_its_front_and_says_so() -> None:
@@ -207,7 +209,7 @@ def test_no_feasible_design_names_the_check_and_by_how_much() -> None:
     worst = miss.failing[0]
     message = str(error)
     assert "none of the 300 designs passes every check" in message
-    assert f"{worst.demand / 1e3:.4g} kN, allowed {worst.capacity / 1e3:.4g} kN" in message
+    assert f"{worst.demand / 1e3:.4g} kN, allowable {worst.capacity / 1e3:.4g} kN" in message
     assert f"utilisation {worst.utilisation:.3f}" in message
     assert 'load case "storm' in message
 

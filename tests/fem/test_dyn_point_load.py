@@ -204,10 +204,10 @@ def test_energy_of_a_floating_buoy_is_accounted_for() -> None:
 
 
 def test_what_does_not_go_together_is_refused() -> None:
-    with pytest.raises(InputError, match="drag_coefficient: missing; goes with drag_area"):
+    with pytest.raises(InputError, match="drag_coefficient: missing; needed with drag_area"):
         PointLoad(10.0, 100.0, 50.0, drag_area=1.0)
-    with pytest.raises(InputError, match="drag_area: missing; goes with drag_coefficient"):
+    with pytest.raises(InputError, match="drag_area: missing; needed with drag_coefficient"):
         PointLoad(10.0, 100.0, 50.0, drag_coefficient=1.0)
     heavy = Line([THREAD, THREAD], [PointLoad(100.0, 1e4, 500.0)])
-    with pytest.raises(InputError, match="weighs more in air than in water"):
+    with pytest.raises(InputError, match="must weigh more in air than in water"):
         lay_out_moving([mesh_line(heavy, [1, 1])], BARE)

@@ -288,7 +288,7 @@ def test_a_step_that_does_not_close_is_named() -> None:
     """One iteration, no halving, and a fairlead in haste: time, node and force are said."""
     controls = StepControls(tolerance=1e-11, max_iterations=1, max_halvings=1)
     with pytest.raises(
-        NotConvergedError, match=r"at t = .* s did not close: .* node \d+ of line 1"
+        NotConvergedError, match=r"at t = .* s did not converge: .* node \d+ of line 1"
     ):
         run_dynamics(
             CHAIN, TimeStepping(10.0, 0.2, 4.0, controls=controls), height=80.0, span=280.0,

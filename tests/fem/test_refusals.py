@@ -20,7 +20,7 @@ def test_no_convergence_names_the_node_and_what_is_left_over() -> None:
         with pytest.raises(NotConvergedError) as caught:
             solve_line(CHAIN, height=60.0, span=70.0, controls=Controls(max_iterations=most))
         text = str(caught.value)
-        assert re.search(r"[\d.e+-]+ N are left over at (the body|node \d+ of line 1)", text)
+        assert re.search(r"[\d.e+-]+ N remain at (the body|node \d+ of line 1)", text)
         # A step that was settled just then is still looked at once more.
         assert any(f"after {n} iterations" in text for n in (most, most + 1))
         assert caught.value.exit_status == 4

@@ -140,7 +140,7 @@ def test_a_line_that_lifts_the_anchor_is_refused() -> None:
 
 
 def test_a_pull_that_no_size_holds() -> None:
-    with pytest.raises(NoAnswerError, match=r"the largest is 16\.443 t, which lacks"):
+    with pytest.raises(NoAnswerError, match=r"the largest is 16\.443 t, .* too light"):
         size_drag_anchor("stockless", "soft clay", 10e6)
 
 
@@ -150,7 +150,7 @@ def test_a_pull_that_no_size_holds() -> None:
         ("anvil", "sand", "lower", "one of stockless"),
         ("stockless", "mud", "lower", "one of soft clay, medium clay, sand"),
         ("stockless", "sand", "API", "one of lower, UFC"),
-        ("stockless", "medium clay", "lower", "there are: UFC in soft clay"),
+        ("stockless", "medium clay", "lower", "available: UFC in soft clay"),
         ("stockless", "sand", "Vryhof", "no figures of stockless"),
     ],
 )
@@ -166,7 +166,7 @@ def test_what_has_no_figures(anchor: str, soil: str, data: str, words: str) -> N
     ("mass", "nearest"), [(10.0, 1500.0), (200.0, 1500.0), (1499.0, 1500.0), (65001.0, 65000.0)]
 )
 def test_beyond_what_is_sold_nothing_is_said(mass: float, nearest: float) -> None:
-    said = f"sold from 1500 to 65000 kg, and .* beyond; the nearest is {nearest:g} kg"
+    said = f"sold from 1500 to 65000 kg, without data .*; the nearest is {nearest:g} kg"
     with pytest.raises(InputError, match=said):
         holding_capacity("Stevpris Mk5", "sand", mass)
     with pytest.raises(InputError, match="series: found"):

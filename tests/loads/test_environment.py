@@ -89,7 +89,7 @@ def test_depth_under_the_crest() -> None:
 @pytest.mark.parametrize(
     ("make", "words"),
     [
-        (lambda: Wind(200.0), "more than any design wind: were km/h or knots meant"),
+        (lambda: Wind(200.0), "more than any design wind: km/h or knots intended"),
         (lambda: Wind(-1.0), "speed: found -1.0; must be 0 m/s or more"),
         (lambda: Wind(20.0, 0.0), "height"),
         (lambda: SurfaceCurrent(25.0), "faster than any tide"),

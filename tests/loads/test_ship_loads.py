@@ -109,7 +109,7 @@ def test_a_heading_is_told_in_degrees() -> None:
 
 
 @pytest.mark.parametrize(
-    ("drift", "words"), [("sea state", "Hs as given"), ("largest wave", "11.70 m is taken")]
+    ("drift", "words"), [("sea state", "Hs as given"), ("largest wave", "11.70 m is used")]
 )
 def test_a_breaking_wave_is_told(drift: str, words: str) -> None:
     """0.78 x 15 m = 11.7 m; steepness would allow 14 m."""

@@ -91,7 +91,7 @@ def test_iala_s_rule_by_hand() -> None:
     assert size.needed_mass == pytest.approx(by_hand, rel=ROUNDING)
     assert size.mass == 3000.0
     assert (size.smaller, size.larger) == (2500.0, 4000.0)
-    assert "optimistic" in size.notes[0]
+    assert "unconservative" in size.notes[0]
 
 
 def test_uplift_friction_and_factor_by_hand() -> None:
@@ -283,5 +283,5 @@ def test_what_is_wrong_is_told(arguments: dict[str, object], words: str) -> None
 
 
 def test_a_pull_that_no_sinker_holds() -> None:
-    with pytest.raises(NoAnswerError, match="the largest is 60 t, which lacks"):
+    with pytest.raises(NoAnswerError, match=r"the largest is 60 t, .* too light"):
         size_sinker(1e6, friction=0.4)

@@ -225,7 +225,7 @@ def test_held_amidships_it_lies_across_or_not_at_all() -> None:
 
 
 def test_what_is_wrong() -> None:
-    with pytest.raises(InputError, match="something has to push"):
+    with pytest.raises(InputError, match="a load on"):
         headings()
     with pytest.raises(InputError, match="mooring_point"):
         headings(current=SurfaceCurrent(1.0), turning=Turning(AMIDSHIPS, 51.0))

@@ -66,7 +66,7 @@ def test_many_loads_find_what_one_load_finds() -> None:
 
 @pytest.mark.parametrize("share", [1.0001, 1.5, -1.0001, -30.0])
 def test_the_limit_is_that_at_the_loaded_position(share: float) -> None:
-    with pytest.raises(NoEquilibriumError, match=r"hold it up to 2e[+]06 N m in that sense") as e:
+    with pytest.raises(NoEquilibriumError, match=r"resist up to 2e[+]06 N m in that sense") as e:
         solve_system(on_an_arm(share * MOST))
     # A difference of two moments, each right to 1e-8 of itself, is right to 1e-4 of 1e-4.
     assert e.value.missing == pytest.approx((abs(share) - 1.0) * MOST, rel=1e-4)
@@ -109,7 +109,7 @@ def crossed(force: tuple[float, float] = (0.0, 0.0)) -> System:
 
 def headings(solution: SystemSolution) -> list[float]:
     """Yaws of the answer and of its warnings, deg, sorted."""
-    named = [warning for warning in solution.warnings if "would also rest" in warning]
+    named = [warning for warning in solution.warnings if "also has equilibrium" in warning]
     yaws = [float(warning.split("yaw of ")[1].split(" deg")[0]) for warning in named]
     return sorted([math.degrees(solution.position.yaw), *yaws])
 

@@ -30,7 +30,7 @@ def test_the_factor_is_a_quarter_of_the_number_of_lines(lines: int) -> None:
 
 @pytest.mark.parametrize("lines", [-6, 0, 1, 2, 3, 5, 7, 9])
 def test_other_numbers_of_lines_are_refused(lines: int) -> None:
-    with pytest.raises(InputError, match=f"lines: found {lines}; the rule wants an even number"):
+    with pytest.raises(InputError, match=f"lines: found {lines}; the rule needs an even number"):
         load_sharing_factor(lines)
 
 

@@ -1,4 +1,4 @@
-"""Restoring curves, watch circles, one line out, water levels and the rule of practice."""
+"""Restoring curves, watch circles, one line damaged, water levels and the rule of practice."""
 
 from __future__ import annotations
 

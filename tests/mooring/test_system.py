@@ -264,7 +264,7 @@ def test_slack_lines_leave_the_body_where_it_is_and_say_so() -> None:
 
 def test_lines_too_short_to_meet() -> None:
     line = Line([Segment(500.0, 1000.0)])
-    with pytest.raises(NoEquilibriumError, match=r"no place that every line reaches: line \d") as e:
+    with pytest.raises(NoEquilibriumError, match=r"within reach of every line: line \d") as e:
         solve_system(spread(2, line=line))
     assert e.value.quantity == "length"
     # Two opposed reaches of sqrt(500^2 - 50^2) leave this much of 2 * 560 m between them; the

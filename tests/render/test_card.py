@@ -97,7 +97,7 @@ def test_a_column_that_is_dropped_gives_its_room_back() -> None:
 
 
 def test_headings_are_broken_before_words_below_them_are_cut() -> None:
-    words = "storm, high water, one line out"
+    words = "storm, high water, one line damaged"
     columns = (
         texts("load_case", [words]),
         *(measured("tension", [4625e3]) for _ in range(3)),

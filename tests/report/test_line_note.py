@@ -34,7 +34,7 @@ def test_a_line_that_is_just_level_at_its_anchor_is_not_said_to_lie_on_the_bed()
     """The length is sought that gives 0 deg: what lies on the bed is rounding, or nothing."""
     note = read_note(CASES / "tanker-20m-find-length" / "case.toml", verify=False)
     assert note.solution.grounded_length < 1e-9
-    hangs = shown(note).table("identity").row("How it hangs")[1].text
+    hangs = shown(note).table("identity").row("Configuration")[1].text
     assert hangs == "the whole line hangs, just level at its anchor"
 
 

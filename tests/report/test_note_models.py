@@ -221,7 +221,7 @@ def with_history(**changes: Any) -> Any:
 
 def test_slack_is_told_at_the_top() -> None:
     (said,) = motion_warnings(with_history(slack_time=np.full(20, 1.5)))
-    assert said == "in motion: the line goes slack, a bar for 1.50 s of a run in all"
+    assert said == "in motion: the line goes slack, a bar for 1.50 s of a run in total"
 
 
 def test_a_run_that_was_stopped_says_so() -> None:

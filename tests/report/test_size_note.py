@@ -110,9 +110,9 @@ def test_of_the_lightest_line_the_knees_neighbours_are_left_out() -> None:
 
 
 SAME_OF_BOTH = (
-    ("Mass in air that is needed", "needed_mass_kg"),
+    ("Mass in air required", "needed_mass_kg"),
     ("Safety factor that is required", "wanted_factor"),
-    ("Factor that is reached", "factor"),
+    ("Factor achieved", "factor"),
 )
 """Rows of a sinker and of a drag anchor, with their keys in the document."""
 
@@ -132,7 +132,7 @@ def test_the_sinker_is_worked_out_step_by_step(name: str) -> None:
     H = rows["Largest horizontal pull of the line at its anchor"][2].value
     V = rows["Largest lift of the line at its anchor"][2].value
     W = V + document["wanted_factor"] * H / document["friction"]
-    assert rows["Weight in water that is needed"][2].value == pytest.approx(W, rel=ROUNDING)
+    assert rows["Weight in water required"][2].value == pytest.approx(W, rel=ROUNDING)
     mass = W / (9.80665 * (1.0 - 1025.0 / document["density_kg_per_m3"]))
     assert document["needed_mass_kg"] == pytest.approx(mass, rel=ROUNDING)
     # What the user gave stands among the inputs of the note.

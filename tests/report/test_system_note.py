@@ -104,7 +104,7 @@ def test_every_step_of_the_balance_gives_what_it_says(name: str) -> None:
 def test_what_cannot_be_computed_is_left_out_and_said(monkeypatch: pytest.MonkeyPatch) -> None:
     for curve in ("watch_circle", "restoring_curve"):
         stop(monkeypatch, f"catopt.mooring.case.{curve}", "it wanders")
-    beside = "is left out, for somewhere on it it wanders"
+    beside = "is left out, because somewhere on it it wanders"
     note = read_system_note(case_path(TURRET), asked=Asked(verify=False))
     of_codes = note.checks.warnings
     # The third: not for transients.

@@ -73,7 +73,7 @@ def test_the_printed_numbers_give_the_printed_value(name: str) -> None:
     """Nine digits are printed of each number, and differences lose some three of them."""
     table = page_named(name).table("trail")
     assert len(table.rows) >= 5
-    place = table.headings.index("With numbers put in")
+    place = table.headings.index("With numbers")
     for row in table.rows:
         printed = row[place].text.split("\n= ")[1]
         cell, value = row[place + 1], calculate(printed)

@@ -19,4 +19,4 @@ def test_the_three_printed_factors_reproduce() -> None:
     assert [item.printed.text for item in study.items] == ["1.5", "2.0", "2.5"]
     assert [item.verdict for item in study.items] == ["reproduces"] * 3
     assert [item.unit for item in study.items] == ["-"] * 3
-    assert "no equilibrium of catenaries" in study.findings[1]
+    assert "not an equilibrium of catenaries" in study.findings[1]

@@ -217,4 +217,4 @@ def _is_refused(out: Path) -> bool:
         return True
     command = [sys.executable, "-m", "catopt", "report", str(out), "--no-verify"]
     ran = subprocess.run(command, capture_output=True, text=True, check=False, cwd=out.parent)
-    return ran.returncode == 2 and "it is of another case" in ran.stderr
+    return ran.returncode == 2 and "it is for another case" in ran.stderr

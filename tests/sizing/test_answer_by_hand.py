@@ -92,7 +92,7 @@ def test_the_load_cases(ship: Sizing) -> None:
     )
     # No buoy: no chain is in its water, and nothing is pulled under; the loads are the ship's.
     assert ship.settled.needed == Assumed(0.0, 0.0, ())
-    assert "The excursion starts from 10 % of the largest force" in ship.assumptions[-1]
+    assert "The excursion is measured from 10 % of the largest force" in ship.assumptions[-1]
 
 
 def test_the_anchor_holds_the_largest_pull(ship: Sizing) -> None:
@@ -298,8 +298,8 @@ def test_a_buoy_s_chain_is_made_fast_where_its_pull_takes_it(pillar: Sizing) -> 
     assert heights == pytest.approx(
         {"storm, high water": 12.0 + 1.11 - keel, "storm, low water": 10.0 - keel}, rel=1e-12
     )
-    assert f"The chain is made fast {keel:.3g} m below the water." in pillar.assumptions[0]
-    loads = "The loads are those on a chain of 38 mm and under a pull of "
+    assert f"The chain is attached {keel:.3g} m below the water." in pillar.assumptions[0]
+    loads = "The loads are those on a chain of 38 mm under a pull of "
     assert pillar.assumptions[1].startswith(f"{loads}{assumed.pull / 1e3:.3g} kN")
 
 

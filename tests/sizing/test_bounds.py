@@ -65,7 +65,7 @@ def line(**changes: Any) -> LineChoice:
         (
             {"hawser": 0.05, "buoy": None},
             "hawser",
-            "goes to a buoy: give one, or leave it out",
+            "needs a buoy: give one, or leave it out",
         ),
     ],
 )

@@ -73,7 +73,7 @@ def test_what_cannot_be_estimated_is_said() -> None:
                 "draught": 2.4,
             },
             "ballast_draught",
-            "missing; of this ship it cannot be estimated",
+            "missing; it cannot be estimated for this ship",
         ),
         ({"condition": "light"}, "condition[0]", "one of loaded, ballast is required"),
     ],

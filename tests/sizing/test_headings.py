@@ -59,7 +59,7 @@ def test_each_load_case_has_the_largest_force_of_all_directions_and_headings(
         assert len(forces) >= 12
     carried = {each.name: each.horizontal_force for each in turned.case.load_cases}
     for loads in turned.settled.posed.loads:
-        # With the allowance for motion that goes with UFC, 2.00/1.67.
+        # With the dynamic factor that goes with UFC, 2.00/1.67.
         force = 1.2 * loads.horizontal_force
         assert carried[loads.load_case] == pytest.approx(force, rel=1e-12)
 

@@ -275,9 +275,7 @@ def test_what_is_not_evaluated_is_refused_by_its_keyword() -> None:
         "mu": "did you mean friction?",
     }
     by_force = {"depth": 12.0, "force": "5 kN", "reserve_buoyancy": 12e3, "wind": "20 m/s"}
-    assert told(known("buoy", by_force)) == {
-        "wind": "leave it out, or force, which has it all in it"
-    }
+    assert told(known("buoy", by_force)) == {"wind": "leave it out, or force, which includes it"}
     alone = {**BASE["tanker"], "pretension": "5 %", "buoy": None, "buoys": "mine.toml"}
     assert told(known("tanker", alone)) == {
         "pretension": "leave it out, or give lines with it",

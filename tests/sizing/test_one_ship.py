@@ -158,7 +158,7 @@ def test_tables_of_no_file_are_refused(tmp_path: Path) -> None:
 
 def test_growth_that_runs_know_nothing_of_is_refused() -> None:
     """It was listed as given, and the hull that ran was clean."""
-    with pytest.raises(InputError, match="runs know no marine growth"):
+    with pytest.raises(InputError, match="runs do not include marine growth"):
         size_buoy(
             "pillar 2.4 m", depth="12 m", hs="1 m", growth="100 mm", in_motion=True, seeds=1,
             run_time="1 min",

@@ -56,7 +56,7 @@ def test_the_answer_says_by_which_prices_and_of_what(by_price: Sizing) -> None:
     assert by_price.why.startswith(f"It is the cheapest line that passes: {dollars} of material")
     assert "OMAE2025" in by_price.why
     assert "[C]" in by_price.why
-    assert "the anchor, fittings and laying have no price here" in by_price.why
+    assert "anchor, fittings and installation are not priced here" in by_price.why
     assert say(by_price.why, "vi").startswith(f"Đây là dây rẻ nhất đạt yêu cầu: {dollars}")
     document = by_price.to_dict()
     assert document["chain"]["cost_USD"] == by_price.cost
@@ -83,7 +83,7 @@ def test_a_price_of_swing_is_weighed_against_that_of_the_line() -> None:
         for point in sizing.settled.result.front
     ]
     assert sizing.settled.index == totals.index(min(totals)) > 0
-    assert "at 500 USD for a metre of swing radius" in sizing.why
+    assert "at 500 USD per metre of swing radius" in sizing.why
     free = sized(prefer="cheapest")
     assert free.settled.index == 0
     assert free.swing.total > sizing.swing.total
@@ -125,7 +125,7 @@ def test_where_no_line_keeps_the_bound_the_key_and_ways_out_are_told() -> None:
     assert "span in load case" in str(caught.value)
     assert "allowed 90 m" in str(caught.value)
     assert "What may help: " in str(caught.value)
-    assert "more room (max_swing), a clump weight" in str(caught.value)
+    assert "more room to swing (max_swing), a clump weight" in str(caught.value)
     assert "a larger size (diameter_max)" in str(caught.value)  # beyond 120 mm some are sold
     assert "vùng quay rộng hơn (max_swing)" in say(caught.value.message, "vi")
 
@@ -144,30 +144,33 @@ def test_where_no_line_keeps_the_bound_the_key_and_ways_out_are_told() -> None:
             {"max_swing": "400 m", "swing_price": 10, "lines": 6},
             dict.fromkeys(
                 ("max_swing", "swing_price"),
-                "leave it out: it is of one line, and several hold the ship in its place",
+                "leave it out: it applies to one line, and several hold the ship in position",
             ),
         ),
         (
             {"prefer": "least-swing", "lines": 6},
-            {"prefer": "leave it out: it is of one line, and several hold the ship in its place"},
+            {
+                "prefer": "leave it out: it applies to one line, and several hold the ship "
+                "in position"
+            },
         ),
         (
             {"swing_price": 10, "prefer": "balanced"},
             {
-                "swing_price": 'leave it out: prefer = "cheapest" alone weighs it, and wants known '
+                "swing_price": 'leave it out: only prefer = "cheapest" uses it, and needs known '
                 "prices"
             },
         ),
         (
             {"swing_price": 10, "prefer": "cheapest", "chain": "chain studless R3S"},
             {
-                "prefer": "no price is known of chain studless R3S: take lightest",
-                "swing_price": "no price is known of chain studless R3S: leave it out",
+                "prefer": "the price of chain studless R3S is not known: use lightest",
+                "swing_price": "the price of chain studless R3S is not known: leave it out",
             },
         ),
         (
             {"prefer": "cheapest", "clump_weight": "5 t"},
-            {"prefer": "no price is known of clump weights: take lightest"},
+            {"prefer": "the price of clump weights is not known: use lightest"},
         ),
     ],
 )

@@ -230,7 +230,7 @@ def test_a_line_beyond_its_scope_is_one_where_none_within_it_passes() -> None:
     with alone():
         of = size_buoy("pillar 1.8 m", depth="12 m", diameter_max="20 mm")
     assert of.point.line.length > 36.0
-    assert "no line within 3 depths passes: longer ones were looked at" in of.defaults
+    assert "no line within 3 depths passes: longer ones were considered" in of.defaults
     w = of.point.line.segments[0].submerged_weight * (18.0 / 20.0) ** 2
     length = of.point.line.length
     assert length - min(grounded(of, w)) > 36.0

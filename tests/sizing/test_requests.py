@@ -98,7 +98,7 @@ def test_mud_alone_is_told_to_be_taken_for_soft_clay(
     request = of_a_ship(soil=soil)
     assert isinstance(request.ground, DragGround)
     assert request.ground.soil == found
-    assert any("taken for soft clay" in each for each in request.defaults) == said
+    assert any("taken as soft clay" in each for each in request.defaults) == said
     assert ("soil sand" in request.defaults) == (soil is None)
 
 
@@ -113,7 +113,7 @@ def test_all_that_was_taken_is_told_and_nothing_that_was_given() -> None:
     taken = of_a_buoy().defaults
     assert taken == (
         "wind 25 m/s", "current 1 m/s", "Hs 2 m", "life 5 years", "wear 0.4 mm/year",
-        "wave period 5.1 s", "no tide", "sinker friction 1.0, the code's own on any ground",
+        "wave period 5.1 s", "no tide", "sinker friction 1.0, the code's own for any ground",
         "no return period", "chain open-link 4D Q2", "code IALA-CALMAR",
     )  # fmt: skip
     given = of_a_buoy(
@@ -127,7 +127,7 @@ def test_a_return_period_is_of_weather_that_is_given_and_is_used() -> None:
     """1 - 0.98^5 = 9.6 %; of weather that was taken there is no return period."""
     weather = {"wind": 30.0, "current": 1.0, "hs": 2.0}
     said = of_a_buoy(**weather, return_period="50 years").defaults
-    assert "weather of 50 years, exceeded with 10% in 5 years" in said
+    assert "weather of 50 years, probability of exceedance 10% in 5 years" in said
     with pytest.raises(InputError, match="current and hs not given"):
         of_a_buoy(wind=30.0, return_period="50 years")
 
@@ -225,7 +225,7 @@ def test_growth_weighs_on_hull_and_chain_and_takes_of_the_reserve() -> None:
     by_hand = ring * 5e3 / chain.submerged_weight + 300.0 * 9.80665 * 0.05 * wet
     assert grown == pytest.approx(by_hand, rel=1e-12)
     assert growth_weight(of_a_buoy(), Assumed(0.030, 5e3)) == 0.0
-    with pytest.raises(InputError, match="more than the reserve of buoyancy"):
+    with pytest.raises(InputError, match="more than the reserve buoyancy"):
         pose_buoy(of_a_buoy(growth="400 mm"), Assumed(0.030, 5e3))
     case = pose_buoy(request, Assumed(0.030, 5e3)).case
     assert case.buoy is not None
@@ -349,7 +349,7 @@ def test_a_wind_of_30_s_needs_no_word_and_another_has_one() -> None:
         assert not any("as a mean of" in each for each in request.estimates)
     raised = of_a_ship(wind=20.0, wind_mean="3600 s")
     assert raised.environment.wind.speed == pytest.approx(1.219 * 20.0, abs=5.1e-4 * 20.0)
-    assert any("Wind of 20 m/s as a mean of" in each for each in raised.estimates)
+    assert any("Wind of 20 m/s averaged over" in each for each in raised.estimates)
     still = of_a_ship(wind=0.0, wind_mean="600 s")
     assert still.environment.wind.speed == 0.0
 

@@ -296,7 +296,7 @@ def test_a_ship_s_line_passes_in_every_sea_and_what_governs_is_named() -> None:
         alike = [e for e in found.checks.results if e.kind == each.check.kind]
         assert each.check.exceedance == max(e.exceedance for e in alike)
         assert each.check.load_case.endswith(f"Tp {each.period:g} s")
-    assert "Seas: Tp of 5, 8 s: tension is decided at" in card
+    assert "Seas: Tp of 5, 8 s: tension governed by" in card
     # 20 minutes are too short for slow motion, as the run of the case says, too; 3 h are not.
     (few,) = (each for each in found.checks.warnings if "slow cycles in all runs" in each)
     assert int(few.split()[0]) < 50

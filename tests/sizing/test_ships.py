@@ -135,14 +135,14 @@ def test_a_file_of_coefficients_beside_the_sizing_s(tmp_path: Path) -> None:
 def test_coefficients_and_another_method_are_refused_together(tmp_path: Path) -> None:
     own = coefficients(tmp_path, WIND + CURRENT)
     assert told(coefficients=own, load_method="22TCN-222-95", wave_coefficient=0) == {
-        "coefficients": "leave it out, or load_method, in whose place it stands"
+        "coefficients": "leave it out, or load_method, which it replaces"
     }
 
 
 def test_a_barge_wants_both_tables(tmp_path: Path) -> None:
     own = coefficients(tmp_path, WIND)
     assert (
-        "wants tables of wind and current" in told(ship="barge", coefficients=own)["coefficients"]
+        "needs tables of wind and current" in told(ship="barge", coefficients=own)["coefficients"]
     )
 
 

@@ -94,17 +94,17 @@ def test_a_wind_of_ten_minutes_is_raised_and_the_answer_says_so() -> None:
     request = requested(dwt="50000 t", depth="20 m", wind="21.64 m/s", wind_mean="10 min")
     assert request.environment.wind.speed == pytest.approx(24.38, abs=0.02)
     (said,) = [each for each in request.estimates if "mean of 10 min" in each]
-    assert said.startswith("Wind of 21.64 m/s as a mean of 10 min is 24.38 m/s as a mean of 30 s")
+    assert said.startswith("Wind of 21.64 m/s averaged over 10 min is 24.38 m/s averaged over 30 s")
     assert requested(dwt="50000 t", depth="20 m", wind=25.0).environment.wind.speed == 25.0
 
 
 def test_mud_is_soft_clay_to_a_drag_anchor() -> None:
     request = requested(dwt="50000 t", depth="20 m", soil="mud")
     assert request.ground.soil == "soft clay"
-    assert any("mud taken for soft clay" in each for each in request.defaults)
+    assert any("mud taken as soft clay" in each for each in request.defaults)
     on_sinker = requested(dwt="50000 t", depth="20 m", anchor="sinker", soil="mud")
     assert on_sinker.ground.soil == "soft clay"
-    assert "sinker's base that of a cast block, half as high as it is wide" in on_sinker.defaults
+    assert "sinker's base as for a cast block, half as high as wide" in on_sinker.defaults
 
 
 def test_soft_ground_never_gets_the_smaller_sinker() -> None:
@@ -132,7 +132,7 @@ def test_soft_ground_never_gets_the_smaller_sinker() -> None:
         assert f"{(masses[-1] + line.mass) / 1e3:.3g} t in air, {hung / 1e3:.3f} kN hung" in lifted
     assert masses == sorted(masses)
     assert masses[2] > masses[1]
-    assert "sand taken for fine or silty sand, the weakest of its kind" in said[1]
+    assert "sand taken as fine or silty sand, the weakest of its kind" in said[1]
     assert "sinker on clay by friction 0.25 and no more than 10 kPa on its base" in said[2]
 
 
@@ -164,7 +164,7 @@ def test_the_lightest_line_that_passes_is_recommended(lightest: Sizing) -> None:
 def test_the_bound_that_the_lightest_line_stands_at_is_told(lightest: Sizing) -> None:
     bound = size_tanker(dwt="50000 t", depth="20 m", diameter_min="60 mm", prefer="lightest")
     assert bound.point.line.segments[0].nominal_diameter == pytest.approx(0.06, abs=1e-12)
-    said = "the smallest of the sizes that were looked at, 60 mm: a smaller one may be lighter"
+    said = "the smallest considered, 60 mm: a smaller one may be lighter"
     assert said in bound.why
     assert "smallest" not in lightest.why
     assert lightest.point.objectives["mass_kg"] < bound.point.objectives["mass_kg"]

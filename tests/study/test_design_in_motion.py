@@ -152,7 +152,7 @@ def test_what_does_not_stretch_is_refused_by_its_segment(case: Case) -> None:
         case, segments=(replace(chain, components=("chain open-link 4D Q2",), diameters=(0.03,)),)
     )
     said = refusal(rigid)
-    assert "design.segments[0]: found chain open-link 4D Q2; no EA is known of it" in said
+    assert "design.segments[0]: found chain open-link 4D Q2; its EA is not known" in said
 
 
 def test_a_search_at_rest_does_not_pass_it_over(case: Case) -> None:

@@ -190,7 +190,7 @@ def test_a_parquet_file_is_the_same_table(tmp_path: Path) -> None:
     assert np.array_equal(read[0][0], read[1][0])
     assert np.array_equal(read[0][1], read[1][1])
     (tmp_path / "bad.parquet").write_bytes(b"no table")
-    with pytest.raises(InputError, match="it is no table"):
+    with pytest.raises(InputError, match="it is not a table"):
         study(tmp_path, '[[vary]]\ntable = "bad.parquet"\n')
 
 

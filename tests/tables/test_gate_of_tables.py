@@ -102,7 +102,7 @@ def test_a_row_of_other_cells_is_refused(tmp_path: Path, text: str) -> None:
 
 def test_a_table_has_a_budget_of_cells(tmp_path: Path) -> None:
     path = written(tmp_path, "t,x\n" + "1,2\n" * 1_500_001)
-    with pytest.raises(InputError, match="3,000,000 are the most"):
+    with pytest.raises(InputError, match="at most 3,000,000 are allowed"):
         read_sheet(Path(path), path)
 
 

@@ -44,7 +44,7 @@ def has_nothing_yet(_: int, tell: Progress) -> int:
 def fails(number: int, tell: Progress) -> int:
     tell(0, 1)
     if number == 1:
-        raise NotConvergedError("the step at t = 3 s did not close")
+        raise NotConvergedError("the step at t = 3 s did not converge")
     return number
 
 

@@ -111,15 +111,15 @@ def test_a_run_again_that_fails_is_not_converged(monkeypatch: pytest.MonkeyPatch
 
     def fails(*args: object, **options: object) -> object:
         if args[1].step < 0.08:  # type: ignore[attr-defined]
-            raise NotConvergedError("the step did not close")
+            raise NotConvergedError("the step did not converge")
         return own(*args, **options)  # type: ignore[arg-type]
 
     monkeypatch.setattr(dynamic_lines, "run_dynamics", fails)
     (part,) = verify_dynamic(TAUT).parts
     assert part.verdict == "not converged"
     assert part.failure is not None
-    assert part.failure.failure == "the step did not close"
-    assert "run again at half the step, it has no answer" in proof_sentences(part)[0]
+    assert part.failure.failure == "the step did not converge"
+    assert "run again at half the step, it has no solution" in proof_sentences(part)[0]
 
 
 @pytest.mark.parametrize(
@@ -262,7 +262,7 @@ def test_a_snapping_line_is_run_with_half_and_twice_its_damping() -> None:
     assert low == min(each["fairlead_tension"] for each in found)
     assert high == max(each["fairlead_tension"] for each in found)
     told = " ".join(motion_sentences(part))
-    assert "With half and with twice its damping" in told
+    assert "With half and twice its damping" in told
     assert "(Lindahl, 1984) the largest tension is 8 % above catopt's" in told
     assert "Lindahl" not in " ".join(motion_sentences(proven(TAUT)))
     assert proven(TAUT).damping_range("fairlead_tension") is None

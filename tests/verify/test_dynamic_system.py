@@ -255,7 +255,7 @@ def test_between_two_headings_the_response_is_in_proportion(tmp_path: Path) -> N
     ("rows", "message"),
     [
         ("0,8,1,0,0,0,0,0,0,0\n90,9,0,0,1,0,0,0,0,0\n", "every heading has the same ones"),
-        ("0,8,1,0,0,0,0,0,0,0\n0,8,0,0,1,0,0,0,0,0\n", "one row a heading and period"),
+        ("0,8,1,0,0,0,0,0,0,0\n0,8,0,0,1,0,0,0,0,0\n", "one row per heading and period"),
         ("0,-8,1,0,0,0,0,0,0,0\n", "must be above 0"),
     ],
 )
@@ -377,12 +377,16 @@ def test_a_body_is_proven_as_a_line_is(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("changes", "key", "message"),
     [
-        ({}, "dynamics", r"needs \[motion\], which leads it, or \[body\]"),
+        ({}, "dynamics", r"needs \[motion\], which prescribes it, or \[body\]"),
         ({"body": Body(1e5)}, "body", "nothing moves: force_file"),
-        ({"body": Body(1e5, force_file="f"), "motion": Motion(8.0)}, "body", "is led, or moves"),
+        (
+            {"body": Body(1e5, force_file="f"), "motion": Motion(8.0)},
+            "body",
+            "either has prescribed motion or moves",
+        ),
         ({"motion": Motion(8.0, rao_phase="lag")}, "motion.rao_phase", "goes with rao_file"),
         ({"motion": Motion(8.0, rao_crest=(0.0, 1.0))}, "motion.rao_crest", "goes with rao_file"),
-        ({"motion": Motion(rao_file="r")}, "motion.rao_reference", "mean nothing without it"),
+        ({"motion": Motion(rao_file="r")}, "motion.rao_reference", "the RAOs of a body need it"),
         ({"motion": replace(GIVEN)}, "motion.rao_file", r"needs \[waves\]"),
         ({"motion": Motion(file="m", drift_file="d")}, "motion.drift_file", "add the drift"),
     ],
@@ -461,7 +465,7 @@ def test_a_body_without_a_line_comes_to_where_statics_have_it(tmp_path: Path) ->
 
 def test_a_break_that_nothing_feels_is_refused() -> None:
     broken = replace(FEW, broken_line=1, broken_at=5.0)
-    with pytest.raises(InputError, match="a body that is led feels nothing of it"):
+    with pytest.raises(InputError, match="a body with prescribed motion is not affected by it"):
         moored(motion=Motion(8.0), dynamics=broken)
     body, beyond = Body(1e5, force_file="f"), replace(broken, broken_line=4)
     with pytest.raises(InputError, match="there are 3 lines"):

@@ -29,7 +29,7 @@ def test_what_would_take_months_is_refused_by_key_at_once() -> None:
     assert time.process_time() - start < 30.0
     said = str(caught.value)
     assert "dynamics.duration: found 9.46728e+08 s; 94,672,800,000 steps of 12 bars" in said
-    assert "30 days are the most: a shorter duration, a longer time_step" in said
+    assert "at most 30 days are allowed: use a shorter duration, a longer time_step" in said
 
 
 def test_so_is_what_would_not_fit_into_the_memory() -> None:
@@ -56,7 +56,9 @@ def test_what_takes_minutes_is_announced() -> None:
         raise SaidError(words)
 
     case = parse_case(moving(duration="30 h"))
-    words = r"540,000 steps of 12 bars, 1 time and up to 8 times that for the proof: some 6 min on"
+    words = (
+        r"540,000 steps of 12 bars, 1 time and up to 8 times that for the second run: some 6 min on"
+    )
     with pytest.raises(SaidError, match=words):
         verify_dynamic(case, announce=announce)
     verify_dynamic(parse_case(MOVING), convergence_check="none", announce=announce)

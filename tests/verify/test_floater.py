@@ -93,7 +93,7 @@ def test_buoy_and_line_in_a_long_wave() -> None:
     assert run.history.balance.numerical_part < 1e-2
     said = " ".join(str(each) for each in part.remarks)
     assert "pillar 2.4 m" in said
-    assert "damping of the pitch" in said
+    assert "pitch damping beyond" in said
     assert "centre of gravity" not in said
     table = csv_files(motion_answer(found, with_series=False))
     assert table
@@ -184,7 +184,7 @@ def test_four_lines_in_weather_from_three_sides() -> None:
     assert by_name["floater_roll"].mean < 0.0 < by_name["floater_pitch"].mean
     assert hull.numerical_part < 1e-2
     said = " ".join(str(each) for each in found.parts[0].remarks)
-    assert "the force of [system], 8 kN, is for the answers at rest" in said
+    assert "the force of [system], 8 kN, applies to the results at rest" in said
     # On the plane of the line with the largest tension every eye is as far off as the hull leans.
     scene = hull.scene
     assert scene is not None
@@ -196,7 +196,7 @@ def test_four_lines_in_weather_from_three_sides() -> None:
     x, y, height = laid.eyes[scene.loaded]
     assert laid.centre - height < arm <= math.hypot(x, y, laid.centre - height) + 1e-9
     assert "film.html" in motion_pictures(found, "en")
-    assert "all six freedoms" in said
+    assert "all six degrees of freedom" in said
     assert csv_files(motion_answer(found, with_series=False))
 
 

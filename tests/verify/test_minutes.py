@@ -107,9 +107,9 @@ def test_of_all_times_that_it_was_run_the_worst_counts() -> None:
 @pytest.mark.parametrize(
     ("size", "chance", "said"),
     [
-        (0.04, 3e3, "moves by 4.0% (chance: up to 4.5%), run again at half the step"),
-        (0.396, 9e3, "moves by 39.6% (chance: up to 13.5%), no check by its verdict"),
-        (0.12, 9e3, "moves by 12.0% (chance: up to 13.5%), run again at half the step"),
+        (0.04, 3e3, "changes by 4.0% (chance: up to 4.5%), run again at half the step"),
+        (0.396, 9e3, "changes by 39.6% (chance: up to 13.5%), no check changes its verdict"),
+        (0.12, 9e3, "changes by 12.0% (chance: up to 13.5%), run again at half the step"),
     ],
 )
 def test_a_proof_is_said_with_its_chance(size: float, chance: float, said: str) -> None:

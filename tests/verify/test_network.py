@@ -150,7 +150,7 @@ def test_no_current_and_no_load_case() -> None:
         ),
         current=CurrentProfile("power", speed=0.5),
     )
-    with pytest.raises(InputError, match="rests in still water"):
+    with pytest.raises(InputError, match="is for still water"):
         verify_network(float_alone, elements=40, tolerance=1e-4)
 
 

@@ -110,8 +110,8 @@ def test_a_wire_of_the_catalogue_keeps_its_diameter_alone() -> None:
             'component = "chain studless R3"\ndiameter = "76 mm"\ndrag_method = "roughness"\n'
             'roughness = "1 mm"\nkeulegan_carpenter = 5',
             [
-                'line.segments[0].drag_method: found "roughness"; is for round wires and ropes; a '
-                "chain is none: give drag_normal, or leave it out"
+                'line.segments[0].drag_method: found "roughness"; is for round wires and ropes, '
+                "not chain: give drag_normal, or leave it out"
             ],
         ),
         (
@@ -126,8 +126,8 @@ def test_a_wire_of_the_catalogue_keeps_its_diameter_alone() -> None:
             'submerged_weight = 200\ndrag_method = "roughness"\nroughness = 0\n'
             "keulegan_carpenter = 12",
             [
-                "line.segments[0].wake_amplification: missing; for a KC of 12 or more S4 has it in "
-                "a graph (figure 2.10)"
+                "line.segments[0].wake_amplification: missing; for a KC of 12 or more S4 gives it "
+                "in a graph (figure 2.10)"
             ],
         ),
         (

@@ -69,7 +69,7 @@ def test_what_was_done_to_the_record_is_remarked_on(tmp_path: Path) -> None:
     part = run(chain(None, 16.0, waves=WaveState(elevation_file=path), time_step=0.2))
     assert (
         "the waves are the 5 of the recorded surface with periods down to 8 s; 0.00% of its "
-        "variance is left out, and its mean of 3 m is taken off"
+        "variance is left out, and its mean of 3 m is subtracted"
     ) in part.remarks
     assert part.of("fairlead_tension").most_probable_maximum is None
 
@@ -112,12 +112,12 @@ def test_a_note_lists_the_record(tmp_path: Path) -> None:
         ("Length of the recorded surface", "79.5 s"),
         ("Recorded at, along x from the anchor", "90 m"),
         ("Significant wave height Hs", "2.828 m"),
-        ("Waves travel to (from the axis anchor to fairlead)", "0 deg"),
+        ("Waves travel towards (from the axis anchor to fairlead)", "0 deg"),
         ("Regular waves that make up the sea", "10"),
-        ("Shortest period that is kept", "8 s"),
-        ("Part of the variance that is left out", "0.00 %"),
-        ("Mean level that is taken off", "0 m"),
-        ("Water's motion above still water", "as at still water"),
+        ("Shortest period kept", "8 s"),
+        ("Part of the variance left out", "0.00 %"),
+        ("Mean level subtracted", "0 m"),
+        ("Water kinematics above still water", "as at still water"),
     ]
     assert all(isinstance(remark, Message) for remark in drive.remarks)
     in_vietnamese = listed(drive, "vi")
@@ -133,7 +133,7 @@ def test_evened_times_are_remarked_on(tmp_path: Path) -> None:
     # 159 rows over 79.5 s.
     said = (
         "the times of the recorded surface are not evenly spaced: it was interpolated linearly at "
-        "even steps of 0.5032 s"
+        "steps of 0.5032 s"
     )
     assert said in drive.remarks
     repeated = repetition_warning(drive.recorded_waves, 100.0)
@@ -282,9 +282,9 @@ def test_a_wrong_series_is_refused(rows: str, head: str, message: str, tmp_path:
         ({"speeds": (-1.0, 1.0)}, r"speeds\[0\]: found -1.0; must be 0 m/s or more"),
         ({"speeds": (0.0, 1.0), "series_file": "c.csv"}, "scales the table by its first speed"),
         ({"profile": "power", "depths": (), "speeds": (), "directions": (), "speed": 1.0,
-          "series_file": "c.csv"}, "speed: found 1.0; stands in the series_file; leave it out"),
+          "series_file": "c.csv"}, "speed: found 1.0; is given in the series_file; leave it out"),
         ({"profile": "wind", "depths": (), "speeds": (), "depth": 3.0, "speed": 1.0},
-         "does not go with the profile wind"),
+         "not applicable to the profile wind"),
     ],
 )  # fmt: skip
 def test_a_current_that_contradicts_itself_is_refused(

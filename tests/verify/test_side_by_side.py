@@ -66,7 +66,7 @@ def test_what_is_whole_is_kept_when_it_is_stopped() -> None:
     assert 0 < len(part.runs) < 6
     assert part.is_complete
     assert f"stopped after {len(part.runs)} of 6 runs" in part.remarks
-    assert f"after {len(part.runs)} of 6 runs; what was computed" in stopped_sentence(found)
+    assert f"after {len(part.runs)} of 6 runs; results computed" in stopped_sentence(found)
 
 
 @pytest.mark.slow

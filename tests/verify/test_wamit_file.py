@@ -91,10 +91,10 @@ def test_a_phase_that_lags_is_the_conjugate(tmp_path: Path) -> None:
     [
         (row(8, 0, 1, 0.4, 90).replace("4.000000E-01", "0.4") + "8 0 3 0.5\n", "line 2"),
         (row(8, 0, 1, 0.4, 90) + "8 0 3 0.5 ten 0.5 0\n", "numbers are required"),
-        (row(8, 0, 1, 0.4, 90) + row(-1, 0, 1, 1.0, 0), "take the rows of zero and infinite"),
+        (row(8, 0, 1, 0.4, 90) + row(-1, 0, 1, 1.0, 0), "remove the rows of zero and infinite"),
         (row(8, 0, 1, 0.4, 90) + row(8, 0, 7, 0.4, 90), "no generalised modes"),
         (row(8, 0, 1, 0.4, 90) * 2, "twice"),
-        (row(8, 0, 1, 0.4, 90) + row(9, 0, 3, 0.4, 90), "there at other periods"),
+        (row(8, 0, 1, 0.4, 90) + row(9, 0, 3, 0.4, 90), "given at other periods"),
         ("8 0 1 0.4 90 0.4 0.0\n", "another kind of file"),
         ("words\n", "rows of PER BETA I MOD PHS RE IM"),
         (row(8, 0, 1, 0.4, 90) + row(9, 30, 1, 0.4, 90), "every heading has the same ones"),

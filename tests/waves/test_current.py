@@ -189,7 +189,7 @@ def test_before_the_run_the_current_is_that_of_its_start_and_steady() -> None:
 
 def test_a_series_needs_a_current_to_scale() -> None:
     for current in ([], [TableCurrent([0.0, 10.0], [0.0, 1.0])]):
-        with pytest.raises(InputError, match="a current that flows at the surface is required"):
+        with pytest.raises(InputError, match="a current with speed at the surface is required"):
             Sea(DEPTH, None, current, current_series=SERIES)
 
 

@@ -88,7 +88,7 @@ def test_it_begins_anew_after_its_own_length_and_that_is_said() -> None:
     assert float(sea.elevation(3.0)) == pytest.approx(float(sea.elevation(53.0)), abs=1e-12)
     assert repetition_warning(waves, 50.0) is None
     assert repetition_warning(waves, 51.0) == (
-        "the waves are those of a record of 50 s and repeat themselves within the run of 51 s"
+        "the waves are those of a record of 50 s and repeat within the run of 51 s"
     )
 
 
@@ -109,5 +109,5 @@ def test_a_wrong_record_is_refused(t: Array, eta: Array, message: str) -> None:
 
 
 def test_no_wave_is_so_slow() -> None:
-    with pytest.raises(InputError, match="the record has no wave so slow"):
+    with pytest.raises(InputError, match="the record has no wave of such a long period"):
         ElevationRecord(times(20), noise(20)).waves(shortest_period=11.0)

@@ -59,7 +59,7 @@ def test_number_of_waves_for_three_hours() -> None:
 def test_twenty_waves_are_few_and_two_hundred_enough() -> None:
     text = repetition_warning(draw(20, 1), 10800.0)
     assert text is not None
-    assert text.startswith("20 waves nearly repeat themselves within the run of 10800 s: after ")
+    assert text.startswith("20 waves nearly repeat within the run of 10800 s: after ")
     assert repetition_warning(draw(200, 1), 10800.0) is None
 
 
