@@ -21,7 +21,7 @@ from catopt.answers.blocks import (
 )
 from catopt.quantities import QUANTITIES
 from catopt.render.values import as_wanted, cell, is_seen, parts_of, shown
-from catopt.words import Language, Message, Sentence, Several, say
+from catopt.words import Language, Message, Sentence, Several, say, term
 
 _WIDTH = 80
 _GAP = 3
@@ -258,6 +258,7 @@ class _Column:
             says_more = not own.endswith(of.name.lower())
             name = f"{name} {quantity.symbol}" if says_more else quantity.symbol
         self.name = re.sub(r"(?<=\d) ", NO_BREAK, name)
+        self.unit = "" if quantity is None else say(term(quantity.field_unit), language)
         self.cells = [say(cell(of, row), language) for row in rows]
 
     @property
@@ -284,9 +285,8 @@ class _Column:
         """Say what it holds, folded to so many characters."""
         words = [part for word in self.name.split(" ") for part in _broken(word, room)]
         lines = wrap(" ".join(words), room, break_long_words=False, break_on_hyphens=False)
-        quantity = self.of.quantity
-        if quantity is not None and quantity.field_unit != "-":
-            lines.append(f"({quantity.field_unit})")
+        if self.unit not in ("", "-"):
+            lines.append(f"({self.unit})")
         return "\n".join(lines).replace(NO_BREAK, " ")
 
 

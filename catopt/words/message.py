@@ -426,7 +426,7 @@ def heading(name: str, quantity: Quantity, language: Language = "en", *, si: boo
     >>> heading(name, QUANTITIES["tension"], "vi")
     'Lực căng tại điểm treo T (kN)'
     """
-    unit = quantity.si_unit if si else quantity.field_unit
+    unit = say(term(quantity.si_unit if si else quantity.field_unit), language)
     return f"{f'{say(name, language)} {quantity.symbol}'.rstrip()} ({unit})"
 
 

@@ -19,9 +19,20 @@ import pytest
 
 import catopt
 from catopt import words
-from catopt.quantities import QUANTITIES
+from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import Dimension
-from catopt.words import LANGUAGES, Listed, Measure, Message, Sentence, Several, Told, say, term
+from catopt.words import (
+    LANGUAGES,
+    Listed,
+    Measure,
+    Message,
+    Sentence,
+    Several,
+    Told,
+    heading,
+    say,
+    term,
+)
 from catopt.words.message import group, groups
 from catopt.words.saved import messages_in, with_messages
 
@@ -363,3 +374,9 @@ def test_no_number_has_an_exponent_that_people_do_not_read() -> None:
     assert f"{Measure('tension', 1.5e12):.2g}" == "1.5e+09 kN"
     small = Message("sizing.below_lightest", weight=1.5e-7, height=0.5, name="chain")
     assert "1.5e-07 kN: 0.5 m" in small
+
+
+def test_a_unit_that_is_a_word_is_said_in_the_language() -> None:
+    life = Quantity("life", "Life", "", "s", "years", 31557600.0)
+    assert heading(Message("fatigue.life"), life).endswith(" (years)")
+    assert heading(Message("fatigue.life"), life, "vi").endswith(" (năm)")
