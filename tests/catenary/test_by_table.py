@@ -150,7 +150,7 @@ def test_a_file_says_it_and_reads_it_back() -> None:
         (", 0.2]", "]", "strain_tension.*3 are required"),
         ("[0, 0.05,", "[0.01, 0.05,", "strain.0.: found 0.01; 0 is required first"),
         ('"60 kN"', '"20 kN"', r"strain_tension.2.: found .20 kN.; must be above 20000"),
-        ("0.2]", "5.0]", "gives way"),
+        ("0.2]", "5.0]", "softens"),
         ("strain = [0, 0.05, 0.1, 0.2]\n", "", "line.segments.0..strain: missing"),
         ("strain =", 'EA = "1 MN"\nstrain =', "leave it out"),
     ],

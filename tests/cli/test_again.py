@@ -47,7 +47,7 @@ def test_a_number_that_changed_is_named_with_what_it_was(run: Run, old: Path) ->
 
 def test_the_screen_has_each_of_them(run: Run, old: Path) -> None:
     ran = run("report", str(old), "--again")
-    assert "gives 1 numbers of this note" in " ".join(ran.out.split())
+    assert "gives 1 numbers that differ from this note" in " ".join(ran.out.split())
     assert "17.60 m" in ran.out
 
 

@@ -140,7 +140,7 @@ def test_a_buoy_that_was_saved_tilted_and_free() -> None:
     assert "is free in the deck and held here" in said
     assert [load.name for load in case.line.point_loads] == ["Mid-line buoy"]
     text = (BROUGHT / "08_orcaflex_tilted_buoy.yml").read_text("utf-8")
-    with pytest.raises(InputError, match="turned about"):
+    with pytest.raises(InputError, match="rotated about"):
         read_any_deck(text.replace("  - 4.07\n  - 0\n", "  - 4.07\n  - 30\n"), "b.yml")
 
 

@@ -165,8 +165,8 @@ REFUSED = {
         ("span: 642", "span: wide", 19, "a number above 0"),
         ("    span: 642\n", "", 18, "span is missing"),
         ("topsides:\n", "array_mooring: {line_data: [[a, b]]}\ntopsides:\n", 7, "--line N"),
-        ("water_depth: 200,", "water_depth: 200, water_depth: *x,", 2, "no YAML"),
-        ("topsides:\n", "topsides: [\n", 8, "no YAML"),
+        ("water_depth: 200,", "water_depth: 200, water_depth: *x,", 2, "not YAML"),
+        ("topsides:\n", "topsides: [\n", 8, "not YAML"),
         ("water_depth: 200, ", "", 0, "water depth is missing"),
     ],
     C06: [
@@ -255,7 +255,7 @@ def test_a_word_for_the_bed_tabs_and_a_key_twice() -> None:
     found = read_deck(deck, "deck.txt")
     assert found.case.anchor_height == 0.0
     assert found.case.site.water_density == 1025.0
-    for words in ("line 9: Z seabed", "line 9: a tab", "line 24: rho stands twice"):
+    for words in ("line 9: Z seabed", "line 9: a tab", "line 24: rho is given twice"):
         assert words in said(found)
 
 

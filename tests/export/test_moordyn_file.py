@@ -296,7 +296,7 @@ def test_a_fairlead_above_the_water() -> None:
     raised, true = (moordyn_input(exported_lines(case), true_depth=true) for true in (False, True))
     assert options(raised.text)["WtrDpth"] == 25.0
     assert rows(raised.text, "POINTS")[0][4] == "-25"
-    assert "the depth is set to 25 m" in remarks(raised)
+    assert "the depth is put at 25 m" in remarks(raised)
     assert options(true.text)["WtrDpth"] == 20.0
     assert [row[4] for row in rows(true.text, "POINTS")] == ["-20", "5"]
     assert "the tensions differ by that" in remarks(true)

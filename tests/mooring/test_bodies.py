@@ -443,7 +443,7 @@ def test_a_body_is_at_rest_under_its_load_where_it_is_not_without() -> None:
 
 
 def test_without_a_load_the_reason_is_told_as_before() -> None:
-    with pytest.raises(NoEquilibriumError, match="friction its position is open"):
+    with pytest.raises(NoEquilibriumError, match="friction its position is not determined"):
         at_rest(parse_network(LIES_WITHOUT_LOAD.format(force="0.0")))
 
 

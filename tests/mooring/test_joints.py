@@ -155,7 +155,7 @@ def test_a_clump_on_a_bed_without_friction_is_carried_by_it() -> None:
     chord = math.hypot(4.2, 2.0)
     lift = 3.0 * 1e6 * (chord / 4.6 - 1.0) * 2.0 / chord
     assert lies.joints.reactions[3] == pytest.approx(60e3 - lift, abs=20.0)  # 3 ropes of 4.6 N
-    with pytest.raises(NoEquilibriumError, match="joint joint is on the bed"):
+    with pytest.raises(NoEquilibriumError, match="joint joint comes to rest on the bed"):
         hold(replace(lies.network, site=Site(20.0, 0.5)))
 
 

@@ -168,7 +168,12 @@ CHANGES: dict[str, tuple[str, str, Any, str]] = {
     "a heading of the fleet": ("Fleet", "A3", "line.max_swng", "Fleet!A3: .*did you mean"),
     "none": ("Fleet", "A3", None, "Fleet!A3: there is a value without its key"),
     "a heading without unit": ("Fleet", "A2", "Swinging", "Fleet!A4: .*its unit is missing"),
-    "another sheet": ("Fleet (2)", "A4", 9, r"Fleet \(2\)!A4: found 9; the sheets Form and Fleet"),
+    "another sheet": (
+        "Fleet (2)",
+        "A4",
+        9,
+        r"Fleet \(2\)!A4: found 9; only the sheets Form and Fleet",
+    ),
     "not yes, not no": ("Form", FLAG, "perhaps", f"Form!{FLAG}: .*yes or no is required"),
     "a unit of a text": ("Form", "C5", "kN", "Form!B5: found .kN.; .*no unit"),
 }

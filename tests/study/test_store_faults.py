@@ -47,7 +47,7 @@ def test_a_full_disk_is_told_and_gone_on_from(
     store = Store(study, tmp_path / "out")
     (pages,) = store._database.execute("PRAGMA page_count").fetchone()
     store._database.execute(f"PRAGMA max_page_count = {pages + 1}")
-    with pytest.raises(InputError, match=r"disk is full.*is kept"):
+    with pytest.raises(InputError, match=r"disk is full.*are kept"):
         run_into(study, store)
     assert 0 < len(store.done()) < PIECES
     store.close()

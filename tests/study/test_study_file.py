@@ -136,7 +136,7 @@ def test_the_words_of_another_file_are_not_told(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "head", "told"),
     [
-        (FORCE + "values = [3e3]\n" + FORCE + "values = [4e3]\n", HEAD, "varies already"),
+        (FORCE + "values = [3e3]\n" + FORCE + "values = [4e3]\n", HEAD, "varied already"),
         (FORCE + 'distribution = "normal"\nmean = 3e3\ndeviation = 10.0\n', HEAD, "samples"),
         (FORCE + 'distribution = "normal"\nmin = 3e3\nmax = 4e3\n', HEAD + "samples = 9\n",
          "mean and deviation"),
@@ -146,7 +146,7 @@ def test_the_words_of_another_file_are_not_told(tmp_path: Path) -> None:
         (FORCE + "values = [3e3]\n", HEAD + 'proof = "none"\n', 'compute = "motion"'),
         (FORCE + "values = [3e3]\n", HEAD.replace("statics", "sizing"), "file for catopt size"),
         ('[[vary]]\nkey = "line.segments"\nvalues = [3e3]\n', HEAD, "an array"),
-        ('[[vary]]\nkey = "title"\nmin = 1\nmax = 2\ncount = 2\n', HEAD, "no number"),
+        ('[[vary]]\nkey = "title"\nmin = 1\nmax = 2\ncount = 2\n', HEAD, "not a number"),
         (FORCE + "values = [3e3]\ncolour = 1\n", HEAD, "colour"),
     ],
 )  # fmt: skip

@@ -40,7 +40,9 @@ def test_so_is_what_would_not_fit_into_the_memory() -> None:
 
 
 def test_a_swarm_of_days_is_refused() -> None:
-    with pytest.raises(InputError, match=r"runs: found 1000; .* 100,000,000,000 evaluations; 10,"):
+    with pytest.raises(
+        InputError, match=r"runs: found 1000; .* 100,000,000,000 evaluations; at most 10,"
+    ):
         SwarmSettings(particles=10_000, iterations=10_000, runs=1_000)
     assert SwarmSettings(particles=10_000, iterations=10_000, runs=100).runs == 100
     assert MOST_EVALUATIONS == 10**10
