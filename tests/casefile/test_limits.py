@@ -40,7 +40,7 @@ def test_too_many_entries_are_refused_at_once() -> None:
     assert took < 1.0
     assert "at most 200,000 are allowed" in said
     start = time.process_time()
-    with pytest.raises(InputError, match="are the most"):
+    with pytest.raises(InputError, match="are allowed"):
         parse_yaml("\n".join(f"a{k}: 1" for k in range(MOST_ENTRIES + 1)), Notes())
     assert time.process_time() - start < 1.0
 

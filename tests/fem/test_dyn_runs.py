@@ -279,7 +279,10 @@ def test_warnings_carry_their_numbers() -> None:
         elements=10,
     )  # fmt: skip
     text = "\n".join(history.warnings)
-    assert "the step of 0.4 s gives 15 steps in the shortest period of the motion or force, 6 s" in text
+    assert (
+        "the step of 0.4 s gives 15 steps in the shortest period of the motion or force, 6 s"
+        in text
+    )
     assert "waves" in text
     assert history.time.size == 151
 

@@ -377,6 +377,6 @@ def test_no_number_has_an_exponent_that_people_do_not_read() -> None:
 
 
 def test_a_unit_that_is_a_word_is_said_in_the_language() -> None:
-    life = Quantity("life", "Life", "", "s", "years", 31557600.0)
+    life = Quantity("life", "Life", "", "s", "years", 31557600.0, 4)
     assert heading(Message("fatigue.life"), life).endswith(" (years)")
     assert heading(Message("fatigue.life"), life, "vi").endswith(" (năm)")
