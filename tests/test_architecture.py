@@ -20,7 +20,7 @@ PACKAGE = Path(catopt.__file__).parent
 BASE = {
     "errors", "constants", "documents", "dimensions", "units",
     "quantities", "words", "tables",
-    "arrays", "compiled", "interrupt", "patience", "threads", "ties", "shown", "records",
+    "arrays", "compiled", "interrupt", "progress", "threads", "ties", "shown", "records",
     "old_names",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
@@ -56,7 +56,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "machine_code": {"interrupt", "machine_tuples"},
     "machine_tuples": set(),
     "interrupt": set(),
-    "patience": {"words"},
+    "progress": {"words"},
     "threads": set(),
     "ties": set(),
     "shown": set(),
@@ -239,7 +239,7 @@ def test_a_planted_circle_is_caught(tmp_path: Path) -> None:
 
 
 LAID_OUT = BASE | {"model", "catalogue", "answers", "figures"}
-LAID_OUT -= {"arrays", "compiled", "interrupt", "patience", "ties"}
+LAID_OUT -= {"arrays", "compiled", "interrupt", "progress", "ties"}
 """All that runs to lay an answer out; results are read, and nothing is solved."""
 SAID = (
     *("catopt.verify.motion_words.", "catopt.verify.compared."),

@@ -26,7 +26,7 @@ from catopt.catenary.state import CONVERGED, REGIMES, Regime, State
 from catopt.errors import NoAnswerError, NoEquilibriumError, NotConvergedError
 from catopt.model import Line
 from catopt.model.kinds import Findings, Measured, Place, SomeForce
-from catopt.patience import paced
+from catopt.progress import paced
 from catopt.records import From, OrNull, Record
 from catopt.shown import Tabled
 from catopt.units import Dimension

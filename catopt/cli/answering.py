@@ -16,7 +16,7 @@ from catopt.cli import options as option
 from catopt.cli.output import Printer
 from catopt.cli.values import refused
 from catopt.errors import InputError
-from catopt.patience import when_long
+from catopt.progress import when_long
 from catopt.quantities import Units
 from catopt.words import Language, Message, say
 

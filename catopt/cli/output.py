@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TextIO, cast
@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any, NoReturn, TextIO, cast
 from catopt.compiled import when_cache_is_damaged, when_compiling
 from catopt.decks.reported import when_read
 from catopt.errors import InputError, refused
+from catopt.progress import Progress
 from catopt.words import Message, say
 
 if TYPE_CHECKING:
@@ -95,9 +96,6 @@ class _Answer(_Messages):
 def _refuse(why: Message) -> NoReturn:
     raise refused("standard output", "", why)
 
-
-Progress = Callable[[int, int], None]
-"""Told how many steps are done and how many there are."""
 
 LEAST_WIDTH = 80
 """Columns that every table is laid out for; a narrower terminal folds the lines itself."""

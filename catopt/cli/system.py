@@ -15,7 +15,7 @@ from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, DesignOption, OutOption
 from catopt.cli.values import in_si, refused
 from catopt.model.network import Network
-from catopt.patience import paced
+from catopt.progress import paced
 from catopt.units import Dimension
 from catopt.words import Message, say
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple, Protocol
 
@@ -11,6 +10,7 @@ from numpy.typing import NDArray
 
 from catopt.checks.kinds import ROUNDING
 from catopt.compiled import compiled
+from catopt.progress import Progress
 
 Genes = NDArray[np.int64]
 """Designs as whole numbers, shape (n, genes); gene k counts from 0 to below ``sizes[k]``."""
@@ -238,10 +238,6 @@ def knee(objectives: Floats) -> Knee:
     equal = np.flatnonzero(total <= total.min() + 1e-12)
     index = int(equal[np.argmin(shares[equal, 0])])
     return Knee(index, tuple(shares[index].tolist()), 1.0 - float(total[index]))
-
-
-Progress = Callable[[int, int], None]
-"""Called with the designs evaluated so far and those that may be at most."""
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,7 @@ from catopt.mooring.restoring import (
 from catopt.mooring.solution import SystemSolution, of_line, solution_at, solve_system
 from catopt.mooring.static_equilibrium import zero_load_position
 from catopt.old_names import OldName
-from catopt.patience import paced
+from catopt.progress import paced
 from catopt.records import Record, within
 from catopt.shown import Displayable
 from catopt.words import Message

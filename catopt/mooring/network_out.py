@@ -12,7 +12,7 @@ from catopt.model.load import Checks
 from catopt.model.network import LineBetween, Network, Point, joined
 from catopt.mooring.held import at_rest
 from catopt.mooring.network_rest import LinesAtRest
-from catopt.patience import paced
+from catopt.progress import paced
 from catopt.records import Counted, Record
 from catopt.ties import first_largest
 from catopt.words import Message

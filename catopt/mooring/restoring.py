@@ -18,7 +18,7 @@ from catopt.mooring.joints import pulls_of
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.mooring.static_equilibrium import ZeroLoadPosition, zero_load_position
 from catopt.old_names import old_function
-from catopt.patience import paced
+from catopt.progress import paced
 from catopt.records import Counted, Record
 from catopt.shown import Tabled
 from catopt.ties import first_largest

@@ -35,7 +35,7 @@ from catopt.mooring.descent import (
     within_half_a_turn,
     yaw_stiffness,
 )
-from catopt.patience import expect
+from catopt.progress import expect
 from catopt.words import Message
 
 FULL = 2.0 * math.pi

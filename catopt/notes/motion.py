@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from catopt.checks.criteria import criteria_of
 from catopt.notes.origin import SourceFile, read_source
+from catopt.progress import Progress
 from catopt.ties import first_largest
 from catopt.units import lasting
 from catopt.words import Measure, Message
@@ -21,8 +22,6 @@ if TYPE_CHECKING:
     from catopt.verify.convergence_check import ConvergenceCheck
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
     from catopt.verify.dynamic_setup import Excitation
-
-Progress = Callable[[int, int], None]
 
 
 @dataclass(frozen=True)

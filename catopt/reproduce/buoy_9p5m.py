@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from functools import cache
 from typing import TYPE_CHECKING
 
 from catopt.model import Line, Segment, SwarmSettings
+from catopt.progress import Progress
 from catopt.reproduce.items import (
     TF,
     Drawn,
@@ -37,8 +37,6 @@ ZERO = 1e-12
 _RESULTS = ("theta0_rad", "offset_m", "tension_tf")
 _KGF_PER_M = UNITS[Dimension.FORCE_PER_LENGTH]["kgf/m"]
 _WEIGHTS = (9.0, 10.5)  # kgf/m, where the intervals of the weight are looked for
-
-Progress = Callable[[int, int], None]
 
 
 def study(progress: Progress | None = None) -> Study:

@@ -23,7 +23,7 @@ from catopt.errors import InputError, refused
 from catopt.loads.ship import neighbours
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Anchor, Case
-from catopt.patience import expect
+from catopt.progress import expect
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.in_motion import (
     Counted,

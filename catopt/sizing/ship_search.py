@@ -26,7 +26,7 @@ from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.environment import Headings
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Case, Line, Segment
-from catopt.patience import expect
+from catopt.progress import expect
 from catopt.sizing.answer import worn_name
 from catopt.sizing.in_motion import (
     Counted,

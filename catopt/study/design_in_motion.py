@@ -187,7 +187,7 @@ class _Runs:
                     outcome = self._passing(outcome)
                 elif new:
                     continue
-                if self.is_interrupted or self._is_borne_out(outcome):
+                if self.is_interrupted or self._run_recommended_again(outcome):
                     return outcome
 
     def _at_rest(self) -> Outcome:
@@ -241,8 +241,8 @@ class _Runs:
         genes, objectives = outcome.genes[passes], outcome.objectives[passes]
         return replace(outcome, genes=genes, objectives=objectives)
 
-    def _is_borne_out(self, outcome: Outcome) -> bool:
-        """Run the design that is recommended again; where that speaks against it, it fails."""
+    def _run_recommended_again(self, outcome: Outcome) -> bool:
+        """Run the design that is recommended again; return whether it passes then, too."""
         if self.convergence_check == "none" or not len(outcome.genes):
             return True
         best = answer(self.problem, self._found(outcome, 0.0)).best

@@ -17,7 +17,7 @@ import numpy as np
 
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, refused
 from catopt.model.kinds import Duration
-from catopt.patience import paced
+from catopt.progress import paced
 from catopt.records import Counted, Record
 from catopt.study.file import read_study
 from catopt.study.member import Base, OfSizing, compute_member, reason_of

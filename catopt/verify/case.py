@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence, Set
+from collections.abc import Iterator, Sequence, Set
 from contextlib import nullcontext
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -21,7 +21,7 @@ from catopt.mooring.chains import Row, in_rows, rows_of
 from catopt.mooring.held import at_rest
 from catopt.mooring.joints import Moored, Run, moored, runs_of
 from catopt.mooring.network_rest import BodyAtRest, LinesAtRest
-from catopt.patience import paced
+from catopt.progress import Progress, paced
 from catopt.records import Counted, Record
 from catopt.units import as_written
 from catopt.verify.compared import ORDER, Compared
@@ -316,8 +316,6 @@ def _line(both: Comparing, *, is_loose: bool) -> Iterator[Compared]:
 
 LOAD = "load"
 """Name of the load case of a case that has only its ``[load]``."""
-
-Progress = Callable[[int, int], None]
 
 
 def verify_case(

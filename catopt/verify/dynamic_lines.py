@@ -46,7 +46,7 @@ from catopt.verify.line import truss_legs, turned
 from catopt.waves import Sea, Waves
 from catopt.words import Message
 
-Progress = Callable[[float], None]
+PartDone = Callable[[float], None]
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,7 @@ class OneLine:
         return [each for each in ends if each is not None]
 
     def run(
-        self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
+        self, sea: Sea, stepping: TimeStepping, elements: int, progress: PartDone
     ) -> tuple[History, Array | None]:
         """Run it; there is no body."""
         case = self.drive.one
@@ -180,7 +180,7 @@ class LinesOfABody:
         return [] if force is None else [force]
 
     def run(
-        self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
+        self, sea: Sea, stepping: TimeStepping, elements: int, progress: PartDone
     ) -> tuple[History, Array | None]:
         """Run all lines; one-way where the body is led: they do not act on it."""
         system, body = self.drive.case.system, self.drive.case.body
@@ -341,7 +341,7 @@ class LinesOfPoints:
         return [] if motion is None else [motion]
 
     def run(
-        self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
+        self, sea: Sea, stepping: TimeStepping, elements: int, progress: PartDone
     ) -> tuple[History, Array | None]:
         """Run all lines; bodies are led with their fairleads."""
         network, runs = self.rest.network, self.rest.runs
@@ -410,7 +410,7 @@ class LinesOfAFloater:
         return moored_at_rest(self.hull, legs, meshes, sea=sea, properties=properties)
 
     def run(
-        self, sea: Sea, stepping: TimeStepping, elements: int, progress: Progress
+        self, sea: Sea, stepping: TimeStepping, elements: int, progress: PartDone
     ) -> tuple[History, HullHistory]:
         """Run all; of the nodes' places what the scene takes is kept."""
         legs = self.legs

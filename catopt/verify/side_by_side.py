@@ -23,6 +23,7 @@ from types import ModuleType
 from typing import Any, TypeVar
 
 from catopt.errors import CatoptError, InputError, Problem
+from catopt.progress import Progress
 from catopt.threads import one_thread_each
 from catopt.verify.convergence_check import ConvergenceCheck, work_of_check
 from catopt.verify.dynamic_lines import LinesAtRest
@@ -127,7 +128,6 @@ def effort_of(lines: LinesAtRest, convergence_check: ConvergenceCheck) -> Effort
 
 
 T = TypeVar("T")
-Progress = Callable[[int, int], None]
 
 _LOOK = 0.1
 """Seconds between two looks at what the runs tell."""

@@ -156,7 +156,7 @@ SPAN_AGREEMENT = 1e-3
 FORCES = (1e-50, 1e50)
 """N: beyond these, products of forces are more or less than a number can hold."""
 
-Progress = Callable[[int], None]
+RunsDone = Callable[[int], None]
 
 
 def solve_swarm(
@@ -166,7 +166,7 @@ def solve_swarm(
     horizontal_force: float,
     settings: SwarmSettings,
     seabed_friction: float = 0.0,
-    progress: Progress | None = None,
+    progress: RunsDone | None = None,
 ) -> Solution:
     """Solve one line by the particle swarm method of S1, carried to any line anchored on the bed.
 
@@ -231,7 +231,7 @@ class _Runs:
     best: Run
 
 
-def _search(objective: Objective, settings: SwarmSettings, progress: Progress | None) -> _Runs:
+def _search(objective: Objective, settings: SwarmSettings, progress: RunsDone | None) -> _Runs:
     run = optimiser(objective, settings)
     best: Run | None = None
     ends = []

@@ -8,10 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from catopt import patience
+from catopt import progress
 from catopt.__main__ import main
 from catopt.mooring import static_equilibrium
-from catopt.patience import expect, in_words, paced, when_long
+from catopt.progress import expect, in_words, paced, when_long
 from catopt.words import Message, say
 
 WHAT = Message("words.curve_points", total=50)
@@ -37,13 +37,13 @@ def told() -> Iterator[list[str]]:
     found: list[str] = []
     when_long(found.append)
     yield found
-    patience._when_long.clear()
+    progress._when_long.clear()
 
 
 @pytest.fixture
 def clock(monkeypatch: pytest.MonkeyPatch) -> list[float]:
     now = [0.0]
-    monkeypatch.setattr(patience, "perf_counter", lambda: now[0])
+    monkeypatch.setattr(progress, "perf_counter", lambda: now[0])
     return now
 
 
@@ -100,7 +100,7 @@ def test_commands_announce_their_searches(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """As on a machine ten thousand times slower: its clock runs so."""
-    for part in (patience, static_equilibrium):
+    for part in (progress, static_equilibrium):
         monkeypatch.setattr(part, "perf_counter", lambda: 1e4 * time.perf_counter())
     path = tmp_path / "case.toml"
     path.write_text(CASE)

@@ -9,6 +9,8 @@ from typing import Final, TypeVar
 from catopt.words import Message
 
 T = TypeVar("T")
+Progress = Callable[[int, int], None]
+"""Told how many steps are done and how many there are at most."""
 
 LONG: Final = 10.0
 """s: what takes longer is announced."""
