@@ -57,7 +57,10 @@ SOLVERS = {
         "mooring/static_equilibrium.py:static_equilibrium",
         "mooring/joints.py:nudge",
     ),
-    "restoring curve": ("mooring/restoring.py:_curve", "mooring/restoring.py:network_curve"),
+    "restoring curve": (
+        "mooring/restoring.py:restoring_curve",
+        "mooring/restoring.py:network_curve",
+    ),
     "watch circle": ("mooring/restoring.py:watch_circle", "mooring/restoring.py:network_circle"),
     "one line out": ("mooring/case.py:one_line_out", "mooring/network_out.py:each_line_out"),
     "search that tries lines in motion": (
