@@ -3,8 +3,9 @@
     python -m benchmarks [NAME ...] [--list] [--smoke] [--out DIR]
 
 Each writes its result file, at sizes that let all of them end within 20 minutes on two cores; the
-page beside them has every row with a ratio to a peer or a limit. `guard`, `mutants` and `newcomer`
-ask for more than this machine (a commit, a part, a package index) and are run by name.
+page beside them has every row with a ratio to a peer or a limit. `guard`, `hundred_buoys`,
+`mutants` and `newcomer` ask for more than this machine in 20 minutes (a commit, hours, a part, a
+package index) and are run by name.
 """
 
 from __future__ import annotations
@@ -48,7 +49,7 @@ SIZES = {
 }
 """Options of each within the 20 minutes."""
 
-BY_NAME = ("guard", "newcomer")
+BY_NAME = ("guard", "hundred_buoys", "newcomer")
 TELLING = ("ratio", "limit", "times", "MoorPy", "MoorDyn")
 """Words by which a table's head says that it compares."""
 

@@ -183,6 +183,8 @@ def _identity(note: SizeNote) -> Iterator[Block]:
     table = sized.summary_table(note.sizing)
     columns = tuple(replace(each, only="all") for each in table.columns)
     yield replace(table, columns=columns)
+    if note.sizing.upkeep is not None:
+        yield from sized.upkeep_blocks(note.sizing.upkeep)
 
 
 def _recommendation(note: SizeNote) -> Message:

@@ -29,11 +29,14 @@ if TYPE_CHECKING:
     from catopt.loads.sinker import SinkerSize
     from catopt.model import Line
     from catopt.sizing import Sizing
+    from catopt.sizing.floating import FloatsInStorm
     from catopt.sizing.in_motion import InMotion
     from catopt.sizing.pattern import Pattern, PatternState
+    from catopt.sizing.upkeep import Upkeep
 
 _FORCE = named("horizontal_force", "")
 _HEIGHT = Quantity("length", "Height", "", "m", "m", 1.0, 2)
+_YEARS = Quantity("time", "Life", "", "s", "years", YEAR, 1)
 _PERIOD = Quantity("time", "Time", "", "s", "s", 1.0, 2)
 
 
@@ -71,6 +74,7 @@ def size_answer(of: Sizing) -> blocks.Answer:
             if of.pattern is None
             else [section(term("Pattern"), pattern_table(of.pattern), without_line_table(of))]
         ),
+        *([] if of.upkeep is None else [section("sizing.upkeep", *upkeep_blocks(of.upkeep))]),
         section(term("Forces"), *_forces(of)),
         section("columns.numbers", _stacked(of, "numbers", numbers_table)),
         section(term("Notes"), _notes_table(of), *_notes(of)),
@@ -170,8 +174,8 @@ def _holding(of: Sizing) -> Iterator[_Row]:
         words = Message(f"sizing.{sinker.material}_sinker", **values)
         name = term("Sinker")
     yield _Row(name, mass, QUANTITIES["mass"], words)
-    if of.kind == "buoy" and of.own_sinker is not None and of.point.line.mass is not None:
-        yield _lifting(of.own_sinker, of.point.line, of.case.site.water_density)
+    if of.lift is not None and of.own_sinker is not None:
+        yield _lifting(of.lift, of.own_sinker, of.point.line, of.case.site.water_density)
     other = of.other_sinker
     if other is not None:  # by the other rule: they differ by a factor of two and more
         said = Message(
@@ -186,9 +190,8 @@ def _holding(of: Sizing) -> Iterator[_Row]:
         yield _Row(term("Factor on holding"), size.factor, QUANTITIES["safety_factor"], wanted)
 
 
-def _lifting(sinker: SinkerSize, line: Line, water_density: float) -> _Row:
-    """Say what a tender lifts: the sinker with all of its chain."""
-    mass = sinker.mass + (line.mass or 0.0)
+def _lifting(mass: float, sinker: SinkerSize, line: Line, water_density: float) -> _Row:
+    """Say what a tender lifts: the sinker with all of its chain, kg in air."""
     hung = weight_in_water(sinker.mass, sinker.density, water_density)
     hung += math.fsum(each.length * each.submerged_weight for each in line.segments)
     said = Message("sizing.lifted", mass=mass / 1e3, weight=Measure("vertical_force", hung))
@@ -229,6 +232,19 @@ def _forces_found(of: Sizing) -> Iterator[_Row]:
     yield _measured("Pull down at the fairlead", "vertical_force", pull)
     if of.reserve_buoyancy is not None:
         yield _measured("Reserve buoyancy", "vertical_force", of.reserve_buoyancy)
+    if of.floats is not None:
+        yield from _floating(of.floats)
+
+
+def _floating(of: FloatsInStorm) -> Iterator[_Row]:
+    """Yield draught and freeboard under the line's pull, and the heel under steady forces."""
+    values = {"draught": of.draught, "freeboard": of.freeboard, "least": of.least_freeboard}
+    said = Message("sizing.floats", load_case=of.load_case, **values)
+    yield _Row(Message("sizing.draught"), of.draught, QUANTITIES["length"], said)
+    if of.heel is not None and of.edge_freeboard is not None:
+        heel = math.degrees(of.heel)
+        said = Message("sizing.heel_at_rest", heel=heel, edge=of.edge_freeboard, rise=of.run_up)
+        yield _Row(Message("sizing.steady_heel"), of.heel, QUANTITIES["angle"], said)
 
 
 def _pattern_found(of: Sizing) -> Iterator[_Row]:
@@ -295,6 +311,35 @@ def candidates_table(of: Sizing) -> blocks.Table:
         texts("verdict", verdicts),
         caption=Message("captions.candidates"),
     )
+
+
+def upkeep_blocks(of: Upkeep) -> tuple[blocks.Block, ...]:
+    """Tabulate a chain by zone, say how often to look at it, and what it costs."""
+    zones = Rows(of.zones)
+    table = tabulate(
+        "zones",
+        zones.texts("sizing.zone", lambda each: Message(f"sizing.zone_{each.name}")),
+        zones.measured("length", "start", "sizing.zone_from", symbol=""),
+        zones.measured("length", "end", "sizing.zone_to", symbol=""),
+        zones.measured("nominal_diameter", "diameter"),
+        zones.measured("wear_rate", "wear_rate"),
+        zones.measured("nominal_diameter", "limit", "sizing.zone_limit", symbol=""),
+        zones.measured(_YEARS, "life", "sizing.zone_life"),
+        zones.measured(_YEARS, "shortest_life", "sizing.zone_shortest"),
+        zones.measured(_YEARS, "longest_life", "sizing.zone_longest"),
+        caption=Message("sizing.upkeep"),
+    )
+    said = [Message("sizing.zone_rates")]
+    if of.inspection is not None:
+        said.append(Message("sizing.inspection", years=of.inspection / YEAR))
+    if of.passes_by_zone is not None:
+        passes = "passes" if of.passes_by_zone else "fails"
+        said.append(Message(f"sizing.by_zone_{passes}"))
+    if of.cost is not None:
+        keys = ("chain", "sinker", "fittings", "visit", "renewals", "renewed", "total")
+        values = {key: getattr(of.cost, key) for key in keys}
+        said.append(Message("sizing.whole_cost", years=of.cost.duration / YEAR, **values))
+    return (table, *map(blocks.Text, said))
 
 
 def _run_afloat(of: InMotion) -> blocks.Section:

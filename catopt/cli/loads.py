@@ -40,7 +40,7 @@ _TAKEN = {
 """What the loads take when it is left out, in place of what a sizing takes."""
 
 _WEATHER = ("depth", "low_water", "wind", "current", "hs", "hmax", "period", "water_density")
-_BUOY = (*_WEATHER, "growth", "buoys", "load_method")
+_BUOY = (*_WEATHER, "place", "growth", "buoys", "load_method")
 _SHIP = (
     *(*_WEATHER, "length", "breadth", "draught", "ballast_draught"),
     *("frontal_area", "lateral_area", "condition", "coefficients"),
@@ -86,7 +86,7 @@ def buoy(
     """Compute the loads on a buoy and its chain, after IALA's CALMAR reference."""
     from catopt.loads import WaterLevels, buoy_loads
     from catopt.loads.buoy import BUOY_METHODS
-    from catopt.sizing.requests import shape_of
+    from catopt.sizing.requests import blowing, shape_of
 
     place = name if is_file(name) else None
     options = {"buoy": None if place else name, **inputs}
@@ -99,7 +99,7 @@ def buoy(
                 of.errors.add(each, f"{of[each]:g} N", wanted)
         own = make(in_si, {"--chain": (chain, Dimension.LENGTH), "--pull": (pull, Dimension.FORCE)})
         body = shape_of(of)
-        weather = _weather(of, of["wind"])
+        weather = _weather(of, blowing(of))
         levels = make(WaterLevels, of["low_water"] or of["depth"], of["depth"])
         every = of.errors.made(
             lambda own, levels, body, wind, current, sea: tuple(

@@ -77,8 +77,55 @@ def buoy_hull(
 def _hull(of: Floater, depth: float, density: float, pull: float, shape: BuoyShape) -> FloatingHull:
     """Do it for a shape: once for all runs of a line, for its radiation takes seconds."""
     carried = min(max(pull, 0.0), _CARRIED * max(shape.reserve_buoyancy(density), 0.0))
-    afloat = shape.afloat(carried, density)
-    draught, slices = afloat.draught, _slices(shape)
+    hull, slices = _rigid(of, density, carried, shape)
+    upright = _righting(hull, carried)
+    if upright <= 0.0:
+        found = Message("refused_motion.above_bottom", height=hull.centre)
+        allowed = Message("refused_motion.so_high_would_not_float")
+        raise refused("floater.centre_of_gravity", found, allowed, "--dynamic")
+    radiation = _radiation(hull, slices, depth)
+    inertia = hull.inertia + radiation.infinite[2, 2]
+    own = 2.0 * (of.pitch_damping or 0.0) * math.sqrt(inertia * upright)
+    return replace(hull, radiation=radiation, damping=(0.0, 0.0, own))
+
+
+def _righting(hull: FloatingHull, pull: float) -> float:
+    """Moment per heel, N m, of the buoy's weight and buoyancy and of its line's pull downwards."""
+    return float(hull.stiffness[2, 2]) + pull * max(hull.centre - hull.eyes[0][2], 0.0)
+
+
+def heel_at_rest(
+    shape: BuoyShape,
+    density: float,
+    pull: float,
+    wind: float,
+    current: float,
+    centre_of_gravity: float | None = None,
+) -> float | None:
+    """Heel of a buoy under steady forces, rad; None for one that would not float upright.
+
+    Wind and current push where their areas are, N; the line holds both at the eye, and its pull
+    downwards, N, rights it. M cos a = K sin a, with the slope K of the upright buoy: above some
+    15 deg, where the deck dips, it is an estimate.
+    """
+    floats = Floater(shape.name or "buoy", centre_of_gravity=centre_of_gravity)
+    hull, slices = _rigid(floats, density, pull, shape)
+    upright = _righting(hull, pull)
+    if upright <= 0.0:
+        return None
+    wet = np.clip(hull.draught - slices.foot, 0.0, slices.top - slices.foot)
+    seen = slices.width * wet
+    middle = slices.foot + 0.5 * wet
+    low = float(seen @ middle / seen.sum())
+    high, eye = _wind(1.0, shape, hull.draught)[1], hull.eyes[0][2]
+    return math.atan2(wind * (high - eye) + current * (low - eye), upright)
+
+
+def _rigid(
+    of: Floater, density: float, carried: float, shape: BuoyShape
+) -> tuple[FloatingHull, _Slices]:
+    """Make the hull under a pull, N, with its slices and without the waves that it makes."""
+    draught, slices = shape.afloat(carried, density).draught, _slices(shape)
     centre, gyration = _mass_of(of, shape, slices)
     radius = np.sqrt(slices.volume / (math.pi * (slices.top - slices.foot)))
     mass, displaced = shape.total_mass, shape.ballast / shape.ballast_density
@@ -99,16 +146,7 @@ def _hull(of: Floater, depth: float, density: float, pull: float, shape: BuoySha
         eyes=((0.0, 0.0, shape.eye),),
         density=density,
     )
-    upright = hull.stiffness[2, 2]
-    upright += carried * max(centre - shape.eye, 0.0)  # its line rights it
-    if upright <= 0.0:
-        found = Message("refused_motion.above_bottom", height=centre)
-        allowed = Message("refused_motion.so_high_would_not_float")
-        raise refused("floater.centre_of_gravity", found, allowed, "--dynamic")
-    radiation = _radiation(hull, slices, depth)
-    inertia = hull.inertia + radiation.infinite[2, 2]
-    own = 2.0 * (of.pitch_damping or 0.0) * math.sqrt(inertia * upright)
-    return replace(hull, radiation=radiation, damping=(0.0, 0.0, own))
+    return hull, slices
 
 
 def _slices(shape: BuoyShape) -> _Slices:

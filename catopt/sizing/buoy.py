@@ -24,6 +24,7 @@ from catopt.sizing.answer import (
     worn_name,
 )
 from catopt.sizing.buoy_request import BuoyRequest
+from catopt.sizing.floating import floats_in_storm
 from catopt.sizing.line_choice import LineChoice, sold
 from catopt.sizing.result import Sizing, SwingPart, SwingRadius
 from catopt.sizing.settle import (
@@ -38,6 +39,7 @@ from catopt.sizing.settle import (
     settle,
 )
 from catopt.sizing.ship_afloat import buoy_afloat
+from catopt.sizing.upkeep import upkeep_of
 from catopt.ties import largest
 from catopt.words import Measure, Message
 
@@ -95,7 +97,13 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
     if moved is not None:
         found = _moved_sizing(found, request, moved)
     shape = request.buoy if isinstance(request.buoy, BuoyShape) else None
-    return replace(found, shape=shape)
+    return replace(
+        found,
+        shape=shape,
+        floats=floats_in_storm(request, found),
+        upkeep=upkeep_of(request, found),
+        crane=request.crane,
+    )
 
 
 def _moved_sizing(of: Sizing, request: BuoyRequest, moved: Moved) -> Sizing:

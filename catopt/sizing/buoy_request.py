@@ -13,6 +13,7 @@ from catopt.sizing.kinds import usual
 from catopt.sizing.known import ReadInput
 from catopt.sizing.line_choice import MOST_DEPTHS, LineChoice, unpriced_components
 from catopt.sizing.pattern import SinkerGround
+from catopt.sizing.upkeep import UpkeepInputs
 from catopt.words import Message
 
 
@@ -57,6 +58,9 @@ class BuoyRequest:
     scope: float = field(default_factory=lambda: usual("scope"))
     # how lines are run with the buoy before one is recommended; None: at rest alone
     in_motion: RunsAfloat | None = None
+    # wear of the thrash section, and prices
+    upkeep: UpkeepInputs = field(default_factory=UpkeepInputs)
+    crane: float | None = None  # what the tender's crane lifts, kg
     title: str = ""  # of the case; made of the buoy and the depth when left out
     source: str = ""  # of the case: where its figures come from; the command when left out
     defaults: tuple[str, ...] = ()  # what was not given and was taken, in words; for the answer

@@ -72,6 +72,8 @@ class RunsAfloat:
     margin: float = 1.0
     sinker_margin: float = 1.0
     max_heel: Angle | None = None  # mean heel of a buoy that is allowed, rad; None: not judged
+    # of a buoy: of what else damps its pitch than waves and drag, as a part of critical
+    pitch_damping: float | None = None
 
     def __post_init__(self) -> None:
         found = Findings("RunsAfloat")

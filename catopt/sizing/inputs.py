@@ -170,6 +170,10 @@ INPUTS: Final = (
         "water_density", "site.water_density", "DENSITY", 1010, "1025 kg/m^3", above=0.0,
         most="1100 kg/m^3", also=("rho",),
     ),
+    Input(
+        "place", "site.place", "NAME", "Vung Tau", of=_BUOY, not_with=("wind", "force"),
+        why="or_in_its_place", left_out="left_out.place",
+    ),
     # The wind that IACS UR A1 designs anchoring equipment for; current and Hs are catopt's own.
     Input(
         "wind", "environment.wind", "SPEED", "25 m/s", "25 m/s", at_least=0.0, most="100 m/s",
@@ -314,6 +318,14 @@ INPUTS: Final = (
         only_with="soil",
     ),
     Input(
+        "scour", "sinker.scour", "LENGTH", "0.2 m", of=_BUOY, at_least=0.0, most="10 m",
+        only_with="embedment", left_out="left_out.scour",
+    ),
+    Input(
+        "crane", "sinker.crane", "MASS", "5 t", of=_BUOY, above=0.0, bare="t",
+        left_out="left_out.crane",
+    ),
+    Input(
         "code", "checks.code", "NAME", "break/5", "IALA-CALMAR",
         tanker=(("default", "UFC-4-159-03"),),
     ),
@@ -325,6 +337,18 @@ INPUTS: Final = (
     Input(
         "wear", "service.wear_rate", "SPEED", "0.4 mm/year", "0.4 mm/year", at_least=0.0,
         most="10 mm/year", called=("wear_rate",), taken="sizing.taken_wear",
+    ),
+    Input(
+        "thrash_wear", "service.thrash_wear", "SPEED", "2 mm/year", of=_BUOY, at_least=0.0,
+        most="10 mm/year", left_out="left_out.thrash_wear",
+    ),
+    *(
+        Input(
+            f"{what}_price", f"service.{what}_price", "NUMBER", example, of=_BUOY, at_least=0.0,
+            left_out="left_out.price",
+        )
+        for what, example in
+        (("chain", 1800), ("sinker", 150), ("fittings", 900), ("visit", 6000))
     ),
     Input(
         "service_type", "service.type", "WHICH", "III", "II", of=_TANKER,
@@ -365,6 +389,16 @@ INPUTS: Final = (
     Input(
         "max_heel", "motion.max_heel", "ANGLE", "5 deg", of=_BUOY, above=0.0,
         most="89 deg", only_with="in_motion", left_out="left_out.max_heel",
+    ),
+    # Two names of one limit: half of the divergence is the heel at half of the light's strength.
+    Input(
+        "light_divergence", "motion.light_divergence", "ANGLE", "10 deg", of=_BUOY, above=0.0,
+        most="90 deg", only_with="in_motion", not_with=("max_heel",), why="or_in_its_place",
+        left_out="left_out.max_heel",
+    ),
+    Input(
+        "pitch_damping", "motion.pitch_damping", "NUMBER", 0.1, of=_BUOY, at_least=0.0,
+        most="1", only_with="in_motion", left_out="left_out.pitch_damping",
     ),
     Input(
         "centre_of_gravity", "buoy.centre_of_gravity", "LENGTH", "0.4 m", of=_BUOY,

@@ -291,7 +291,8 @@ def known(
     estimated = _estimated(errors, given, values) if moored == "tanker" else {}
     values |= estimated
     for name, each in inputs.items():
-        if name in values or is_needless(each, values):
+        is_of_place = name == "wind" and "place" in given
+        if name in values or is_of_place or is_needless(each, values):
             continue
         if defaults is None and each.default:
             values[name] = default_of(each)

@@ -15,6 +15,7 @@ from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind,
 from catopt.loads.buoy import buoy as look_up
 from catopt.loads.calmar_file import SUFFIX, read_calmar_buoy
 from catopt.loads.environment import HMAX_OVER_HS
+from catopt.loads.places import USUAL_PERIOD, PlaceWind, wind_of_place
 from catopt.loads.ship import (
     BALLAST_SOURCE,
     BARGE,
@@ -56,6 +57,7 @@ from catopt.sizing.quick import quick_runs
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
+from catopt.sizing.upkeep import UpkeepInputs
 from catopt.units import lasting
 from catopt.words import Cited, Listed, Message, Several, given_keys, term
 
@@ -75,7 +77,8 @@ def size(of: ResolvedInputs) -> Sizing:
 def request_of(of: ResolvedInputs) -> BuoyRequest | TankerRequest:
     """Make the request for a buoy or a tanker; every mistake is told at once."""
     request = _of_a_buoy(of) if of.moored == "buoy" else _of_a_tanker(of)
-    weather = [] if "force" in of.given else [k for k in _WEATHER if k not in of.given]
+    known = of.given | ({"wind"} if "place" in of.given else set())
+    weather = [] if "force" in of.given else [k for k in _WEATHER if k not in known]
     if of["return_period"] and weather:
         allowed = Message("refused_sizing.period_of_weather", missing=Listed(weather, "and"))
         years = Message("refused_file.years", count=of["return_period"] / YEAR)
@@ -99,6 +102,11 @@ def _of_a_buoy(of: ResolvedInputs) -> BuoyRequest | None:
         load_method=of["load_method"],
         scope=of["scope"],
         in_motion=_runs(of),
+        upkeep=UpkeepInputs(
+            of["thrash_wear"],
+            *(of[f"{what}_price"] for what in ("chain", "sinker", "fittings", "visit")),
+        ),
+        crane=of["crane"],
         title=of["title"] or "",
         source=of["source"] or "",
         defaults=_taken(of, place, ground),
@@ -155,7 +163,10 @@ def _runs(of: ResolvedInputs) -> RunsAfloat | None:
         return quick_runs(of.moored)
     own: dict[str, Any] = {}
     if of.moored == "buoy":
-        own = {key: of[key] for key in ("max_slide", "centre_of_gravity", "max_heel")}
+        keys = ("max_slide", "centre_of_gravity", "max_heel", "pitch_damping")
+        own = {key: of[key] for key in keys}
+        if of["light_divergence"]:
+            own["max_heel"] = 0.5 * of["light_divergence"]
         own["other_lengths"] = of["other_lengths"] or 0
     own["periods"], own["heights"] = of["peak_period"] or (), of["sea_height"] or ()
     sea = of.errors.make(_sea, of) if of["period_range"] or of["sea_height"] else None
@@ -187,6 +198,20 @@ def wind_of_30_s(of: ResolvedInputs) -> float | None:
     return of.errors.make(partial(mean_over, wanted=WIND_MEAN), of["wind"], mean)
 
 
+def blowing(of: ResolvedInputs) -> float | None:
+    """Take the wind that was given, or that of the place, m/s; None where it is not known."""
+    found = of_place(of)
+    return of["wind"] if found is None else found.speed
+
+
+def of_place(of: ResolvedInputs) -> PlaceWind | None:
+    """Look the wind of the place up; None without one."""
+    if of["place"] is None:
+        return None
+    look_up = partial(wind_of_place, recalled=bool(of["recalled"]))
+    return of.errors.make(look_up, of["place"], of["return_period"] or USUAL_PERIOD)
+
+
 def of_the_wind(of: ResolvedInputs) -> tuple[Message, ...]:
     """Say to which speed the wind was converted."""
     speed = wind_of_30_s(of)
@@ -210,7 +235,7 @@ def _environment(
     """Make depths and weather; where the force is given, wind and current do not count."""
     make, high = of.errors.make, of["depth"]
     levels = make(WaterLevels, of["low_water"] or high, high)
-    blows = make(Wind, (wind or of["wind"]) if is_pushed else 0.0)
+    blows = make(Wind, (wind or blowing(of)) if is_pushed else 0.0)
     current = make(SurfaceCurrent, of["current"] if is_pushed else 0.0)
     maker = partial(Environment, water_density=of["water_density"])
     return make(maker, levels, blows, current, make(_sea, of))
@@ -515,7 +540,8 @@ def _ground(of: ResolvedInputs) -> DragGround | SinkerGround | None:
     if soil is None and of["friction"] is None:
         soil = _soil_of(of["code"])
     figures = soil, of["friction"], of["sinker"], of["sinker_density"]
-    block = of["base_area"], of["embedment"] or 0.0
+    # What scour may take away of the soil beside it holds nothing.
+    block = of["base_area"], max(0.0, (of["embedment"] or 0.0) - (of["scour"] or 0.0))
     return of.errors.make(partial(SinkerGround, *figures, *block))
 
 
@@ -556,9 +582,14 @@ def _taken(
         words.append(Message(key, soil=term(str(ground.soil))))
     if of["soil"] and ground is not None:
         words += _soil_taken(of, ground)
-    if "return_period" not in of.given:
+    blows = of_place(of)
+    if blows is not None:
+        values = {"place": of["place"], "zone": blows.zone, "confidence": blows.confidence}
+        years = blows.period / YEAR
+        words.append(Message("sizing.of_place", speed=blows.speed, years=years, **values))
+    elif "return_period" not in of.given:
         words.append(Message("sizing.no_return_period"))
-    elif of["life"] and of["return_period"]:
+    if of["life"] and of["return_period"]:
         years, life = of["return_period"], of["life"]
         chance = -math.expm1(life * math.log1p(-min(1.0 - 1e-12, YEAR / years)) / YEAR)
         values = {"years": years / YEAR, "life": life / YEAR, "chance": chance}

@@ -16,14 +16,16 @@ from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Case, Line, LoadCase, Segment
-from catopt.model.kinds import Duration, Factor, Height, Positive, SomeForce
+from catopt.model.kinds import Duration, Factor, Height, Positive, SomeForce, SomeMass
 from catopt.records import Counted, Record
 from catopt.shown import Displayable, renderers
 from catopt.sizing.alternatives import Alternative, Candidate, Limit
+from catopt.sizing.floating import FloatsInStorm
 from catopt.sizing.in_motion import InMotion
 from catopt.sizing.known import ReadInput, estimated_dimensions, small_craft
 from catopt.sizing.pattern import Pattern, system_case
 from catopt.sizing.settle import ConvergedSizing, point_diameter
+from catopt.sizing.upkeep import Upkeep
 from catopt.sizing.verdict import judgement_of
 from catopt.ties import largest
 from catopt.units import UNITS, Dimension
@@ -127,7 +129,8 @@ class Sizing(Displayable, Record):
         "kind case.title one_line inputs chain point.line.point_loads=clump_weights(mass position) "
         "own_sinker=sinker other_sinker(mass needed_mass friction rule) drag_anchor "
         "swing=swing_radius excursion largest_tension dynamic_factor motion in_motion~ practice "
-        "chain_life departures fittings advice break_factor proof_factor reserve_buoyancy "
+        "chain_life departures fittings advice break_factor proof_factor reserve_buoyancy floats~ "
+        "upkeep~ "
         "load_cases settled.posed.loads settled=assumed point.checks.results=checks "
         "point.checks.nearest=governing limits alternatives candidates pattern search=design "
         "assumptions defaults recalled warnings judgement=verdict~"
@@ -183,6 +186,12 @@ class Sizing(Displayable, Record):
     """What the recommended line came to in runs with its buoy or ship afloat; None where it is
     sized at rest alone."""
     shape: BuoyShape | None = None  # of the buoy that is moored, where it is known
+    upkeep: Upkeep | None = None
+    """The chain by zone, its renewal and its cost; None where its life is not known."""
+    crane: float | None = None  # what the tender's crane lifts, kg; None: not known
+    floats: FloatsInStorm | None = None
+    """How the buoy floats on the recommended line in the storm; None where its shape is not known.
+    """
 
     def __repr__(self) -> str:
         """Lay out what ``catopt size`` prints first."""
@@ -276,6 +285,14 @@ class Sizing(Displayable, Record):
         if self.sinker is None or anchor is None or anchor.mass is None:
             return self.sinker
         return replace(self.sinker, mass=anchor.mass)
+
+    @property
+    def lift(self) -> SomeMass | None:
+        """What a tender lifts of a buoy's mooring, in air: the sinker with all of its chain."""
+        sinker, chain = self.own_sinker, self.point.line.mass
+        if self.kind != "buoy" or sinker is None or chain is None:
+            return None
+        return sinker.mass + chain
 
     @property
     def load_cases(self) -> tuple[LoadCaseLine, ...]:
@@ -397,6 +414,10 @@ class Sizing(Displayable, Record):
             if "one_line_out" not in {each.place.state for each in tensions}:
                 codes = ", ".join(self.case.checks.codes)
                 notes.append(Message("sizing.no_factor_line_out", codes=codes))
+        lift = self.lift
+        if lift is not None and self.crane is not None and lift > self.crane:
+            values = {"lift": lift / 1e3, "crane": self.crane / 1e3}
+            notes.append(Message("sizing.above_crane", **values))
         if self.drag_anchor is not None:
             notes.append(Message("sizing.holding_after", note=self.drag_anchor.capacity.note))
         return tuple(dict.fromkeys(notes))

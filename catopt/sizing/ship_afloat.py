@@ -85,6 +85,7 @@ def buoy_afloat(case: Case, request: BuoyRequest) -> Case | None:
             wind_speed=env.wind.speed,
             centre_of_gravity=how.centre_of_gravity,
             max_heel=how.max_heel,
+            pitch_damping=how.pitch_damping,
         ),
         dynamics=Dynamics(how.duration, elements=how.elements),
     )

@@ -53,7 +53,9 @@ STILL: dict[str, object] = dict.fromkeys(
     (
         *("in_motion", "seeds", "run_time", "peak_period", "sea_height", "period_range"),
         *("other_lengths", "max_slide", "centre_of_gravity", "max_heel"),
-        "embedment",  # of clay alone, which the example of a soil is not
+        *("light_divergence", "pitch_damping"),
+        "place",  # in place of the wind
+        *("embedment", "scour"),  # of clay alone, which the example of a soil is not
     )
 )
 """Of what is run in time there are tests of their own: it takes minutes."""

@@ -1,0 +1,45 @@
+"""How a buoy floats in the steady storm, by hand."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from catopt.floater.hulls import heel_at_rest
+from catopt.loads.buoy_shape import BuoyShape
+
+RHO, G = 1025.0, 9.80665
+
+
+def drum(**more: float) -> BuoyShape:
+    """Build a cylinder of 2 m, 1.5 m high, of 2 t, with a tower of 2 m: all by hand below."""
+    form = {"hull_diameter": 2.0, "hull_depth": 1.5, "mass": 2000.0, "least_freeboard": 0.2}
+    form |= {"tower_height": 2.0, "tower_width": 0.5, "centre_of_gravity": 0.5}
+    return BuoyShape("drum", **(form | more))
+
+
+def test_heel_is_moment_over_slope() -> None:
+    """Of 2 t, under a pull of 5 kN.
+
+    T = (2000 + 5000/g) / (rho pi) m, K = rho g (I + V (T/2 - G)) + 5 kN x 0.5 m. The current pushes
+    at T/2, the wind at the middle of hull and tower above the water.
+    """
+    pull, wind, current = 5e3, 300.0, 2e3
+    volume = (2000.0 + pull / G) / RHO
+    draught = volume / math.pi
+    slope = RHO * G * (math.pi / 4.0 + volume * (draught / 2.0 - 0.5)) + pull * 0.5
+    hull, tower = 2.0 * (1.5 - draught), 0.5 * 2.0
+    high = (hull * 0.5 * (1.5 + draught) + tower * 2.5) / (hull + tower)
+    by_hand = math.atan((wind * high + current * draught / 2.0) / slope)
+    assert math.degrees(by_hand) == pytest.approx(9.0, abs=2.0)  # a heel that one would expect
+    assert heel_at_rest(drum(), RHO, pull, wind, current) == pytest.approx(by_hand, rel=2e-3)
+
+
+def test_a_buoy_that_would_not_float_upright_has_none() -> None:
+    assert heel_at_rest(drum(centre_of_gravity=1.45), RHO, 0.0, 300.0, 2e3) is None
+
+
+def test_a_pull_at_the_foot_rights_it() -> None:
+    heels = [heel_at_rest(drum(), RHO, pull, 300.0, 2e3) or 0.0 for pull in (0.0, 5e3, 10e3)]
+    assert heels == sorted(heels, reverse=True)
