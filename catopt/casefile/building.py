@@ -27,6 +27,7 @@ from catopt.errors import InputError
 from catopt.model import Case, CatalogueChoice, Checks, Line, Segment, SegmentChoice, Site, System
 from catopt.model.kinds import File
 from catopt.model.line import StrainTable, weight_in_water
+from catopt.model.plausible import accepting
 from catopt.units import as_written
 from catopt.words import Message, given_keys
 from catopt.words.message import problem_words
@@ -328,7 +329,12 @@ def _sold(
 
 
 def build_case(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
-    """Build a case."""
+    """Build a case, whose parts go as far beyond their ranges as the file accepts."""
+    with accepting(table.accept or ()):
+        return _built(table, catalogue, folder)
+
+
+def _built(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
     place = table.given().get("site")
     site = Site.in_air() if place is None else Site(**place.given())
     build = _Builder(catalogue, FilePath(folder).absolute(), site, table)

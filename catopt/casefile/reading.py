@@ -30,6 +30,7 @@ from catopt.documents import attributes, parse_toml, read_text
 from catopt.errors import InputError, Problem, refused
 from catopt.model import Anchor, Case, Line, PointLoad, Segment, Site, System
 from catopt.model.network import LineBetween, MooredBody, Network, Point, require_case
+from catopt.model.plausible import accepting
 from catopt.schemas import read_document
 from catopt.words import Message
 from catopt.words.saved import with_messages
@@ -98,6 +99,17 @@ def network_of(document: dict[str, Any], source: str = "", *, folder: str = "") 
     findings += [*judged_findings(case, []), *network_motion_findings(case)]
     findings += plausibility_findings(case, findings)
     refuse(document, findings, source)
+    with accepting(table.accept or ()):
+        return _network(table, catalogue, document, source, folder)
+
+
+def _network(
+    table: NetworkTable,
+    catalogue: FromCatalogue,
+    document: dict[str, Any],
+    source: str,
+    folder: str,
+) -> Network:
     problems: list[Problem] = []
     points = [
         _built(problems, f"points[{k}]", Point, **each.given())
@@ -273,12 +285,13 @@ def read_design(directory: Path, number: int) -> Case:
     design = front[number - 1]
     title = f"{case.title}, design {number}" if case.title else f"Design {number}"
     try:
-        line = Line(
-            [_design_segment(each, case) for each in design["segments"]],
-            [PointLoad(**attributes(each)) for each in design["point_loads"]],
-        )
-        sinker = design.get("sinker")
-        anchor = case.anchor if sinker is None else Anchor("sinker", **attributes(sinker))
+        with accepting(case.accept):
+            line = Line(
+                [_design_segment(each, case) for each in design["segments"]],
+                [PointLoad(**attributes(each)) for each in design["point_loads"]],
+            )
+            sinker = design.get("sinker")
+            anchor = case.anchor if sinker is None else Anchor("sinker", **attributes(sinker))
         # Raise water and fairleads to where a whole mooring goes farthest.
         found = design.get("system") or {}
         level = found.get("farthest_water_level_m", 0.0)

@@ -430,7 +430,9 @@ def entries(table: type[TableSchema]) -> Mapping[str, Entry]:
 
 def _entries(table: type[TableSchema]) -> Iterator[tuple[str, Entry]]:
     own = annotated(table)
-    of_model = annotated(table.model) if table.model else {}
+    of_model = dict(annotated(table.model)) if table.model else {}
+    if "accept" not in table.keys:
+        of_model.pop("accept", None)  # it stands at the top of a file
     of_part = fields(table.model) if table.model else ()
     needed = {each.name for each in of_part if each.default is each.default_factory is MISSING}
     several = {values.many: values for values in table.choices}

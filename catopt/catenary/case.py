@@ -67,7 +67,15 @@ def solve_case(
     if method == "pso":
         case.check_still_water()
     case, warnings = under_a_load(case)
-    return _solved(case, method, progress).with_warnings((*warnings, *of_wear(case)))
+    return _solved(case, method, progress).with_warnings(
+        (*of_accepted(case), *warnings, *of_wear(case))
+    )
+
+
+def of_accepted(case: Case | Network) -> Iterator[Message]:
+    """Say which ranges values of a case may go beyond."""
+    if case.accept:
+        yield Message("catenary.accepted", names=", ".join(case.accept))
 
 
 def of_wear(case: Case) -> Iterator[Message]:

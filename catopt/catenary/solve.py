@@ -67,6 +67,7 @@ from catopt.errors import CatoptError, NoEquilibriumError, NotConvergedError, Ta
 from catopt.model import Case, Line, Load, PointLoad, Segment
 from catopt.model.kinds import Findings
 from catopt.model.line import StrainTable
+from catopt.model.plausible import NAMES
 from catopt.words import Measure, Message
 
 PARTS: Final = 32
@@ -113,7 +114,8 @@ def grown(segment: Segment, length: float, e: float, c: float) -> Segment:
     """Make the part of a segment, of a length, m, whose strain e + c T is in proportion to T."""
     EA = (1.0 + e) / c if c else math.inf
     weight = segment.submerged_weight / (1.0 + e)
-    return replace(segment, length=(1.0 + e) * length, submerged_weight=weight, EA=EA)
+    grows = {"length": (1.0 + e) * length, "submerged_weight": weight, "EA": EA}
+    return replace(segment, **grows, accept=NAMES)  # the segment itself was looked at
 
 
 def _cut(line: Line) -> tuple[list[int], list[float]]:

@@ -27,6 +27,7 @@ from catopt.documents import unfit
 from catopt.errors import InputError, refused
 from catopt.model import Case, Line, Segment, Site
 from catopt.model.network import LineBetween, Network, Point, PointKind
+from catopt.model.plausible import NAMES, accepting
 from catopt.words.message import Message, is_said
 
 _KIND: dict[str, PointKind] = {"fixed": "anchor", "coupled": "fairlead", "free": "joint"}
@@ -210,11 +211,12 @@ def read_any_deck(
     deck = without_floating_ends(deck, notes)
     title = PurePath(source).stem
     case: Case | Network
-    if notes.only is None and has_joints(deck):
-        case = network_of(deck, notes, title)
-    else:
-        chains = chains_of(deck, notes, notes.only)
-        lines = lines_of(deck, chains)
-        make = case_of if is_radial(deck, chains, lines) else network_of_lines
-        case = make(deck, chains, lines, notes, title)
+    with accepting(NAMES):  # what another program took is told where it is used
+        if notes.only is None and has_joints(deck):
+            case = network_of(deck, notes, title)
+        else:
+            chains = chains_of(deck, notes, notes.only)
+            lines = lines_of(deck, chains)
+            make = case_of if is_radial(deck, chains, lines) else network_of_lines
+            case = make(deck, chains, lines, notes, title)
     return case, tuple(notes.remarks)

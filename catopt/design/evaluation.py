@@ -245,6 +245,7 @@ def sinker_of(case: Case, choice: SinkerChoice, index: int) -> Anchor:
         safety_factor=choice.safety_factor,
         factor_source=choice.factor_source,
         mass=mass,
+        accept=case.accept,
     )
 
 

@@ -20,6 +20,7 @@ from catopt.errors import InputError, Problem
 from catopt.model import Case, ClumpWeightChoice, Line, LoadCase, PointLoad, Segment, SegmentChoice
 from catopt.model.kinds import Findings
 from catopt.model.line import line_kind, weight_in_water
+from catopt.model.plausible import NAMES
 from catopt.words import Listed, Message, Several
 
 GENES_EACH = 2
@@ -197,6 +198,7 @@ class DesignSpace:
                 variable.masses[mass],
                 variable.name,
                 variable.friction,
+                accept=NAMES,  # a file's were looked at when it was read
             )
             for variable, position, mass in self._hung(genes, self._lengths(genes))
         ]

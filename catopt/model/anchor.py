@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from catopt.compiled import inlined
-from catopt.model.kinds import Checked, Factor, Findings, Length, Mass, Positive, Source, Strength
+from catopt.model.kinds import Factor, Findings, Length, Mass, Positive, Source, Strength
+from catopt.model.plausible import Plausible
 from catopt.words import Message
 
 AnchorKind = Literal["sinker", "drag"]
@@ -16,7 +17,7 @@ _NEEDS = {"sinker": ("submerged_weight", "friction"), "drag": ("holding_capacity
 
 
 @dataclass(frozen=True)
-class Anchor(Checked):
+class Anchor(Plausible):
     """A sinker (deadweight anchor) or a drag anchor."""
 
     kind: AnchorKind

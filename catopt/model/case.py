@@ -31,6 +31,7 @@ from catopt.model.kinds import (
 )
 from catopt.model.line import Line
 from catopt.model.load import Checks, Load, LoadCase, Site
+from catopt.model.plausible import accepted_in
 from catopt.model.sea import CurrentProfile, Motion, WaveState
 from catopt.model.service import Service, wear_misfits
 from catopt.model.system import Body, Buoy, Floater, System, system_misfits
@@ -159,6 +160,8 @@ class Case(Checked):
     """Names of the plausible ranges that its values may go beyond."""
 
     def _check(self, found: Findings) -> None:
+        parts = (self.site, self.anchor, *self.line.segments, *self.line.point_loads)
+        object.__setattr__(self, "accept", accepted_in(self.accept, parts))
         found.check("fairlead_height", "anchor_height")
         has_system = self.system is not None
         if self.site.is_in_air and (wet := [k for k in WET if getattr(self, k) is not None]):
@@ -294,7 +297,7 @@ class Case(Checked):
         """The case of a line in air so high above a bed that none of it is met, and how high, m."""
         lift = 2.0 * self.line.length
         upper, lower = self.fairlead_height + lift, self.anchor_height + lift
-        site = Site(10.0 * (upper + lower))
+        site = Site(10.0 * (upper + lower), accept=("water_depth",))
         return replace(self, site=site, fairlead_height=upper, anchor_height=lower), lift
 
     def under(self, state: LoadCase) -> Case:

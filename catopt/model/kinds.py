@@ -474,7 +474,7 @@ Accepted = Annotated[
         quoted=True,
     ),
 ]
-"""Names of plausible ranges that a file may set aside (`catopt.casefile.plausibility`)."""
+"""Names of plausible ranges that a file may set aside (`catopt.model.plausible`)."""
 
 
 _ROUNDING = 1e-12

@@ -13,7 +13,6 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import Problem, refused
 from catopt.model.kinds import (
     Area,
-    Checked,
     Coefficient,
     Findings,
     Force,
@@ -32,6 +31,7 @@ from catopt.model.kinds import (
     WearRate,
     Weight,
 )
+from catopt.model.plausible import Plausible
 from catopt.model.service import WEAR_ZONES
 from catopt.units import Dimension
 from catopt.words import Message
@@ -233,7 +233,7 @@ def drag_misfits(given: Mapping[str, Any]) -> list[Problem]:
 
 
 @dataclass(frozen=True)
-class Segment(Checked):
+class Segment(Plausible):
     """A uniform stretch of chain, wire or rope."""
 
     length: Length
@@ -310,6 +310,8 @@ class Segment(Checked):
             wake_amplification: Given | None = None,
             MBL_mean: Given | None = None,
             MBL_cov: Given | None = None,
+            *,
+            accept: Sequence[str] = (),
         ) -> None: ...
 
     def _check(self, found: Findings) -> None:
@@ -357,7 +359,7 @@ def point_drag_misfits(given: Collection[str]) -> list[Problem]:
 
 
 @dataclass(frozen=True)
-class PointLoad(Checked):
+class PointLoad(Plausible):
     """A clump weight (sinker) or a buoy fixed to the line."""
 
     position: Length
@@ -389,6 +391,8 @@ class PointLoad(Checked):
             drag_area: Given | None = None,
             drag_coefficient: Given | None = None,
             added_mass_coefficient: Given = 0.0,
+            *,
+            accept: Sequence[str] = (),
         ) -> None: ...
 
     def _check(self, found: Findings) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated, Literal, Self
 
@@ -24,6 +25,7 @@ from catopt.model.kinds import (
     Text,
     Uplift,
 )
+from catopt.model.plausible import Plausible
 from catopt.model.wear import Condition
 from catopt.units import Dimension
 from catopt.words import Message, given_keys, term
@@ -118,7 +120,7 @@ Offset = Annotated[
 
 
 @dataclass(frozen=True)
-class Site(Checked):
+class Site(Plausible):
     """Water and seabed at the mooring; `Site.in_air()` of a line without either."""
 
     water_depth: Length
@@ -144,6 +146,8 @@ class Site(Checked):
             water_density: Given = SEA_WATER_DENSITY,
             seabed_slope: Given = 0.0,
             contact_offset: Given = 0.0,
+            *,
+            accept: Sequence[str] = (),
         ) -> None: ...
 
     def _check(self, found: Findings) -> None:

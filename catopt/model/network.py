@@ -29,6 +29,7 @@ from catopt.model.kinds import (
 )
 from catopt.model.line import Line, drag_missing, point_drag_misfits, weightless
 from catopt.model.load import Checks, Site
+from catopt.model.plausible import accepted_in
 from catopt.model.sea import CurrentProfile, Motion, WaveState
 from catopt.model.service import Service
 from catopt.model.title_block import TitleBlock
@@ -210,6 +211,10 @@ class Network(Checked):
             object.__setattr__(self, key, tuple(getattr(self, key)))
             if key != "bodies":
                 found.some(key, Message("refused_case.at_least_one_wanted"))
+        lines = [each.line for each in self.lines]
+        of_lines = [part for each in lines for part in (*each.segments, *each.point_loads)]
+        parts = (self.site, self.anchor, *of_lines)
+        object.__setattr__(self, "accept", accepted_in(self.accept, parts))
         names = [point.name for point in self.points]
         joints = [point.name for point in self.points if point.kind == "joint"]
         pulled = {each.name for each in self.points if each.hung[2] > 0.0 or any(each.hung[:2])}

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from catopt.catenary.case import of_accepted
 from catopt.catenary.solution import above_water, named_line, weighs_as_in_water
 from catopt.errors import InputError, NoAnswerError, Problem, refused
 from catopt.model import Case, System
@@ -276,7 +277,7 @@ def report_system(
         solution,
         title=case.title,
         safety_factor=case.checks.safety_factor,
-        warnings=(*solution.warnings, *above),
+        warnings=(*of_accepted(case), *solution.warnings, *above),
     )
     size = math.hypot(*system.force)
     rest = solution.position

@@ -17,6 +17,7 @@ from catopt.errors import (
 )
 from catopt.model import CurrentProfile, Site, System
 from catopt.model.network import LineBetween, MooredBody, Network, Point
+from catopt.model.plausible import NAMES
 from catopt.mooring.chains import apart, in_rows, rows_of
 from catopt.mooring.joints import (
     UNIT,
@@ -84,7 +85,7 @@ def at_displacement(
         fairlead = Point(f"fairlead {k}", "fairlead", *leg.fairlead, leg.fairlead_height)
         points += [anchor, fairlead]
         lines.append(LineBetween(leg.line, anchor.name, fairlead.name))
-    site = Site(origin_height, system.seabed_friction)
+    site = Site(origin_height, system.seabed_friction, accept=NAMES)
     return hold(Network(site, tuple(points), tuple(lines)), displacement).body
 
 

@@ -12,6 +12,7 @@ from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Case, LoadCase, Service, Site
+from catopt.model.plausible import NAMES
 from catopt.sizing.alternatives import alternatives, beside, candidates, chain_life, limits
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.environment import Environment
@@ -36,7 +37,7 @@ def case_of(
     env, line = request.environment, request.line
     kind = "buoy" if isinstance(request, BuoyRequest) else "tanker"
     return Case(
-        site=Site(env.levels.high, water_density=env.water_density),
+        site=Site(env.levels.high, water_density=env.water_density, accept=NAMES),
         line=first_line(line, env.water_density, length),
         load=None,
         checks=line.checks_beyond(rest),

@@ -9,10 +9,10 @@ from __future__ import annotations
 from functools import cache
 from typing import Annotated, Any
 
-from catopt.casefile.plausibility import range_of
 from catopt.casefile.reading import Moored
 from catopt.casefile.schema import TableSchema
 from catopt.model.kinds import Flag, Kind, Measured, OneOf, Text, Whole
+from catopt.model.plausible import range_of
 from catopt.sizing.inputs import Input, inputs_of, rows_of
 from catopt.units import Dimension, as_written, bare_number
 

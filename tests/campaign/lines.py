@@ -57,13 +57,14 @@ class Trial:
     def case(self) -> Case:
         """Return the case file's contents."""
         return Case(
-            site=Site(water_depth=max(self.height, 1e-3), seabed_friction=self.friction),
+            site=Site(
+                max(self.height, 1e-3), seabed_friction=self.friction, accept=("water_depth",)
+            ),
             line=self.line,
             load=Load(**{self.known: self.value}),
             fairlead_height=self.height,
             anchor_height=self.anchor_height,
             title=f"{self.kind}, number {self.index}",
-            accept=("water_depth",),
         )
 
 

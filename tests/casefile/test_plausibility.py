@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
-from catopt import InputError
+from catopt import InputError, solve_case
 from catopt.casefile import parse_case, write_case
-from catopt.casefile.plausibility import RANGES
 from catopt.casefile.reading import parse_network
-from catopt.model import Case
+from catopt.model import Anchor, Case, Line, Load, PointLoad, Segment, Site
 from catopt.model.kinds import OneOf, annotated
+from catopt.model.plausible import RANGES
 from catopt.sizing.file import parse_file
 
 CASE = """
@@ -85,6 +87,51 @@ def test_points_and_sizings_have_the_same_ranges() -> None:
         parse_network(slipped)
     file = parse_file('[buoy]\nname = "pillar 1.8 m"\n[site]\nwater_density = 10\n', "buoy")
     assert [each.path for each in file.findings] == [("site", "water_density")]
+
+
+CHAIN = {"length": 100.0, "submerged_weight": 1000.0, "mass": 110.0}
+IN_PYTHON: list[tuple[Any, dict[str, Any], str, str]] = [
+    (Site, {"water_depth": 20.0, "seabed_friction": 3.0}, "seabed_friction: found 3", "friction"),
+    (Site, {"water_depth": 20.0, "water_density": 10.0}, "water_density: found", "water_density"),
+    (Site, {"water_depth": "20 km"}, "water_depth: found 20000", "water_depth"),
+    (Segment, CHAIN | {"mass": 1.0}, "submerged_weight: found 1000", "weight_in_water"),
+    (Segment, CHAIN | {"drag_normal": 24.0}, "drag_normal: found 24", "drag"),
+    (PointLoad, {"position": 50.0, "submerged_weight": "100 kN", "mass": "1 t"},
+     "submerged_weight: found 100000", "weight_in_water"),
+    (PointLoad, {"position": 50.0, "submerged_weight": 9.0, "friction": 50.0}, "50", "friction"),
+    (Anchor, {"kind": "sinker", "submerged_weight": 1e5, "friction": 50.0}, "found 50", "friction"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("part", "given", "said", "name"), IN_PYTHON)
+def test_python_has_the_ranges_of_files_and_their_override(
+    part: Any, given: dict[str, Any], said: str, name: str
+) -> None:
+    with pytest.raises(InputError, match="not plausible") as caught:
+        part(**given)
+    assert said in str(caught.value)
+    assert f'give accept=["{name}"]' in str(caught.value)
+    other = next(each.name for each in RANGES if each.name != name)
+    with pytest.raises(InputError, match="not plausible"):
+        part(**given, accept=[other])
+    taken = part(**given, accept=[name])
+    assert replace(taken).accept == (name,)  # a part that is changed accepts what it did
+    with pytest.raises(InputError, match="accept: found"):
+        part(**given, accept=[name, "frictions"])
+
+
+def test_what_is_accepted_is_told_with_the_answer_and_written() -> None:
+    site = Site(20.0, seabed_friction=3.0, accept=["friction"])
+    case = Case(site, Line([Segment(**CHAIN)]), Load(horizontal_force=2e5), 20.0)
+    assert case.accept == ("friction",)
+    text = write_case(case)
+    assert text.count("accept") == 1
+    again = parse_case(text)
+    assert (again, again.site.accept) == (case, ("friction",))
+    (told,) = [each for each in solve_case(case).warnings if "accepted" in each]
+    assert told.endswith("friction")
+    plain = replace(case, site=Site(20.0), accept=())
+    assert not [each for each in solve_case(plain).warnings if "accepted" in each]
 
 
 def test_the_names_are_those_of_the_ranges() -> None:

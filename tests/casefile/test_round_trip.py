@@ -12,7 +12,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from catopt.casefile import parse_case, write_case
-from catopt.casefile.plausibility import HEAVIER, RANGES
 from catopt.documents import unfit
 from catopt.model import (
     Anchor,
@@ -44,6 +43,7 @@ from catopt.model.design import FIND_QUANTITIES, OBJECTIVES, SearchMethod
 from catopt.model.dynamics import INITIAL_FRICTION, JudgedBy, TimeScheme
 from catopt.model.kinds import COUNTS
 from catopt.model.load import LoadCaseKind
+from catopt.model.plausible import NAMES
 from catopt.model.sea import WAVE_SPECTRA, Stretching
 
 POSITIVE = st.floats(min_value=1e-3, max_value=100.0)
@@ -68,6 +68,7 @@ FACTOR = st.floats(min_value=1.0, max_value=1e3)
 SEGMENTS = st.one_of(
     st.builds(
         Segment,
+        accept=st.just(NAMES),
         length=LENGTHS,
         submerged_weight=ANY,
         EA=POSITIVE | st.just(math.inf),
@@ -86,6 +87,7 @@ SEGMENTS = st.one_of(
     ),
     st.builds(
         Segment,
+        accept=st.just(NAMES),
         length=LENGTHS,
         submerged_weight=ANY,
         MBL_mean=POSITIVE,
@@ -101,6 +103,7 @@ SEGMENTS = st.one_of(
     # Of a component, with figures of one's own before those of the catalogue.
     st.builds(
         Segment,
+        accept=st.just(NAMES),
         length=LENGTHS,
         submerged_weight=ANY,
         EA=POSITIVE,
@@ -142,6 +145,7 @@ BUOYS = st.builds(Buoy, reserve_buoyancy=POSITIVE)
 ANCHORS = st.one_of(
     st.builds(
         Anchor,
+        accept=st.just(NAMES),
         kind=st.just("sinker"),
         submerged_weight=POSITIVE,
         friction=POSITIVE,
@@ -150,6 +154,7 @@ ANCHORS = st.one_of(
     ),
     st.builds(
         Anchor,
+        accept=st.just(NAMES),
         kind=st.just("drag"),
         holding_capacity=POSITIVE,
         safety_factor=FACTOR,
@@ -347,6 +352,7 @@ def lines(draw: st.DrawFn) -> Line:
     total = math.fsum(segment.length for segment in segments)
     loads = st.builds(
         PointLoad,
+        accept=st.just(NAMES),
         position=st.floats(1e-6, 0.999 * total),
         submerged_weight=ANY,
         mass=st.none() | NOT_NEGATIVE,
@@ -417,6 +423,7 @@ def cases(draw: st.DrawFn) -> Case:
             draw(NOT_NEGATIVE),
             draw(st.floats(1e-3, 900.0)),
             draw(st.just(0.0) | st.floats(1e-6, 0.7) | st.floats(-0.7, -1e-6)),
+            accept=NAMES,
         ),
         line=line,
         load=load,
@@ -433,7 +440,7 @@ def cases(draw: st.DrawFn) -> Case:
         anchor=draw(st.none() | ANCHORS),
         catalogue=draw(CHOICES),
         design=draw(st.none() | designs(line, references)),
-        accept=(*(each.name for each in RANGES), HEAVIER),  # numbers are any
+        accept=NAMES,  # numbers are any
         **moving,
     )
 

@@ -199,7 +199,7 @@ def test_drag_and_added_mass_of_what_hangs_at_one_point_are_put_together() -> No
 
 def test_everything_that_is_missing_is_told_at_once() -> None:
     floats = Segment(10.0, -50.0, name="floats")
-    too_light = Segment(50.0, 2100.0, EA=1e9, mass=200.0)
+    too_light = Segment(50.0, 2100.0, EA=1e9, mass=200.0, accept=["weight_in_water"])
     case = Case(Site(20.0), Line([too_light, floats]), Load(horizontal_force=1e5), 20.0)
     solved = exported_lines(case)
     with pytest.raises(InputError) as caught:
@@ -221,7 +221,7 @@ def test_a_mass_that_only_just_bears_its_weight_has_no_volume() -> None:
     exported = moordyn_input(exported_lines(replace(case, line=Line(case.line.segments, [clump]))))
     (point,) = free(exported)
     assert point[6] == "0"
-    lighter = Line(case.line.segments, [replace(clump, mass=5000.0)])
+    lighter = Line(case.line.segments, [replace(clump, mass=5000.0, accept=["weight_in_water"])])
     with pytest.raises(InputError, match=r"point_loads\[0\].mass: found 5000 kg; must be above"):
         moordyn_input(exported_lines(replace(case, line=lighter)))
     floating = Line([*case.line.segments, Segment(5.0, -20.0, EA=1e8, mass=0.0)])

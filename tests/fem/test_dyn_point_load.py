@@ -208,6 +208,6 @@ def test_what_does_not_go_together_is_refused() -> None:
         PointLoad(10.0, 100.0, 50.0, drag_area=1.0)
     with pytest.raises(InputError, match="drag_area: missing; needed with drag_coefficient"):
         PointLoad(10.0, 100.0, 50.0, drag_coefficient=1.0)
-    heavy = Line([THREAD, THREAD], [PointLoad(100.0, 1e4, 500.0)])
+    heavy = Line([THREAD, THREAD], [PointLoad(100.0, 1e4, 500.0, accept=["weight_in_water"])])
     with pytest.raises(InputError, match="must weigh more in air than in water"):
         lay_out_moving([mesh_line(heavy, [1, 1])], BARE)

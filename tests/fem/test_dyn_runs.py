@@ -245,7 +245,7 @@ def test_refusals_name_what_is_wrong() -> None:
         "lines[0].segments[0].mass",
         "lines[0].segments[0].EA",
     }
-    light = Line([Segment(300.0, 1000.0, EA=1e8, mass=50.0)])
+    light = Line([Segment(300.0, 1000.0, EA=1e8, mass=50.0, accept=["weight_in_water"])])
     with pytest.raises(InputError, match="more in air than in water"):
         run_dynamics(light, stepping, height=80.0, span=280.0)
     with pytest.raises(InputError, match="must rise"):
