@@ -7,6 +7,7 @@ from functools import partial
 
 from catopt.errors import refused
 from catopt.mooring.case import load_sharing_factor
+from catopt.progress import Progress
 from catopt.reproduce import (
     buoy_9p5m,
     calmar,
@@ -175,7 +176,7 @@ def names() -> tuple[str, ...]:
 
 
 def reproduce(
-    name: str | None = None, *, progress: buoy_9p5m.Progress | None = None
+    name: str | None = None, *, progress: Progress | None = None
 ) -> Reproduction:
     """Recompute what was published.
 
