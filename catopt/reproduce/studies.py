@@ -175,9 +175,7 @@ def names() -> tuple[str, ...]:
     return tuple(_STUDIES)
 
 
-def reproduce(
-    name: str | None = None, *, progress: Progress | None = None
-) -> Reproduction:
+def reproduce(name: str | None = None, *, progress: Progress | None = None) -> Reproduction:
     """Recompute what was published.
 
     Parameters
