@@ -82,7 +82,8 @@ def report(of: argparse.Namespace) -> Iterator[str]:
         for kind in ("ship", "buoy"):
             if not left[kind] or time.monotonic() >= end:
                 continue
-            found = beside(next(numbers[kind]), kind, again=kind not in warm)
+            again = kind not in warm and not of.smoke
+            found = beside(next(numbers[kind]), kind, again=again)
             if found is None:
                 continue
             warm.add(kind)
