@@ -49,10 +49,10 @@ def swept(shot: Shot, load: Load, height: float) -> list[list[float]]:
     """
     aim, shot.part = shot.missed_by, 1.0
     (key,) = load.given
-    given = getattr(load, key)
+    given: float = getattr(load, key)
 
     def off(stop: _Stop) -> float:
-        of = {"span": stop.top.x, "horizontal_force": stop.top.fx}
+        of: dict[str, float] = {"span": stop.top.x, "horizontal_force": stop.top.fx}
         return of.get(key, stop.top.tension) - given
 
     stops: list[_Stop] = []

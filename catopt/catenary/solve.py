@@ -113,9 +113,13 @@ def by_first_rows(line: Line) -> Line:
 def grown(segment: Segment, length: float, e: float, c: float) -> Segment:
     """Make the part of a segment, of a length, m, whose strain e + c T is in proportion to T."""
     EA = (1.0 + e) / c if c else math.inf
-    weight = segment.submerged_weight / (1.0 + e)
-    grows = {"length": (1.0 + e) * length, "submerged_weight": weight, "EA": EA}
-    return replace(segment, **grows, accept=NAMES)  # the segment itself was looked at
+    return replace(
+        segment,
+        length=(1.0 + e) * length,
+        submerged_weight=segment.submerged_weight / (1.0 + e),
+        EA=EA,
+        accept=NAMES,  # the segment itself was looked at
+    )
 
 
 def _cut(line: Line) -> tuple[list[int], list[float]]:

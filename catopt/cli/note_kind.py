@@ -11,7 +11,6 @@ from catopt.answers.note_line import line_note_answer
 from catopt.answers.note_size import size_note_answer
 from catopt.answers.note_system import network_note_answer, system_note_answer
 from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT, Moored, moored_in
-from catopt.cli.output import Progress
 from catopt.cli.size import spelling_of
 from catopt.cli.size import typed as from_texts
 from catopt.cli.values import refuse
@@ -20,6 +19,7 @@ from catopt.errors import InputError, Problem
 from catopt.notes.line import Given, Note, SizeNote, read_note, size_note
 from catopt.notes.origin import Asked, asked_in, read_source
 from catopt.notes.system import NetworkNote, SystemNote, read_network_note, read_system_note
+from catopt.progress import Progress
 from catopt.sizing.file import read_file, sized
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.sizing.known import known

@@ -23,7 +23,6 @@ from catopt.design.front import (
     Genes,
     Knee,
     Outcome,
-    Progress,
     Tally,
     hypervolume,
     knee,
@@ -36,6 +35,7 @@ from catopt.errors import NotConvergedError, refused
 from catopt.model import Case
 from catopt.model.design import FoundBy, SearchMethod
 from catopt.model.network import Network, require_case
+from catopt.progress import Progress
 from catopt.words import Listed, Message
 
 CHUNK = 50_000

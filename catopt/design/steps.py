@@ -12,9 +12,9 @@ from catopt.design.front import (
     Genes,
     Outcome,
     Problem,
-    Progress,
     crowding_distance,
 )
+from catopt.progress import Progress
 
 ROAMING = 0.6
 """Share of what is left of the budget that a search roams with before it improves its front.

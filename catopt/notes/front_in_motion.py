@@ -18,7 +18,8 @@ from catopt.design.result import PointInMotion
 from catopt.errors import NoAnswerError, NotConvergedError, refused
 from catopt.interrupt import waiting_interrupt
 from catopt.model.kinds import SomeForce
-from catopt.notes.motion import Progress, checks_in_motion
+from catopt.notes.motion import checks_in_motion
+from catopt.progress import Progress
 from catopt.records import Counted, FromZero, Record
 from catopt.verify.dynamic_result import DynamicVerification, Verdict
 from catopt.words import Message

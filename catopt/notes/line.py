@@ -20,7 +20,6 @@ from catopt.loads.sinker import DENSITIES, FACTOR_SOURCE, SAFETY_FACTOR
 from catopt.mooring.solution import solve_system
 from catopt.notes.motion import (
     InMotion,
-    Progress,
     allowed_tensions,
     in_motion,
     motion_files,
@@ -37,6 +36,7 @@ from catopt.notes.origin import (
     source_of,
 )
 from catopt.notes.sheet import AnyNote, both_models, doubts_of_models, sheet_of
+from catopt.progress import Progress
 from catopt.sizing.kinds import schema_of
 from catopt.words import Cited, Message, is_said, term
 

@@ -19,7 +19,7 @@ from catopt.mooring.held import at_rest
 from catopt.mooring.network_out import NetworkOut, each_line_out, largest_tensions
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
-from catopt.notes.motion import Progress, checks_in_motion, motion_files
+from catopt.notes.motion import checks_in_motion, motion_files
 from catopt.notes.origin import (
     Asked,
     SourceFile,
@@ -29,6 +29,7 @@ from catopt.notes.origin import (
     read_with_sources,
 )
 from catopt.notes.sheet import AnyNote, Stated, both_models, doubts_of_models, sheet_of
+from catopt.progress import Progress
 from catopt.quantities import QUANTITIES
 from catopt.ties import first_largest
 from catopt.verify.motion_words import doubts, stopped_sentence

@@ -14,7 +14,7 @@ import numpy as np
 
 from catopt.checks.case import check_strengths
 from catopt.design.evaluation import OBJECTIVE_KEYS, DesignProblem, design_point
-from catopt.design.front import Genes, Outcome, Progress
+from catopt.design.front import Genes, Outcome
 from catopt.design.neighbours import NoFeasibleDesignError, no_feasible_design
 from catopt.design.result import (
     DesignPoint,
@@ -43,6 +43,7 @@ from catopt.notes.front_in_motion import (
     refuse_without_tension,
     run_design,
 )
+from catopt.progress import Progress
 from catopt.verify.convergence_check import ConvergenceCheck
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
 from catopt.verify.side_by_side import Crew, silent

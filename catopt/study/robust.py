@@ -23,11 +23,12 @@ from catopt.design.evaluation import (
     design_point,
     sinker_of,
 )
-from catopt.design.front import Floats, Genes, Progress
+from catopt.design.front import Floats, Genes
 from catopt.design.result import DesignPoint, DesignResult, InDraws, needed
 from catopt.design.search import search_design
 from catopt.errors import InputError, Problem
 from catopt.model import Case
+from catopt.progress import Progress
 from catopt.study.file import read_study
 from catopt.study.member import read_member
 from catopt.study.reliability import counted_interval

@@ -17,7 +17,7 @@ import numpy as np
 
 from catopt.errors import InputError, NoAnswerError, NotConvergedError, refused
 from catopt.model.kinds import Duration
-from catopt.progress import paced
+from catopt.progress import Progress, paced
 from catopt.records import Counted, Record
 from catopt.study.file import read_study
 from catopt.study.member import Base, OfSizing, compute_member, reason_of
@@ -25,7 +25,7 @@ from catopt.study.result import StudyResult
 from catopt.study.statics import at_rest
 from catopt.study.store import Computed, Store
 from catopt.study.study import Study, StudyPiece
-from catopt.verify.side_by_side import Progress, begin_process, no_script
+from catopt.verify.side_by_side import begin_process, no_script
 from catopt.words import Message
 
 _AHEAD = 2

@@ -21,6 +21,7 @@ from catopt.model import Case
 from catopt.model.dynamics import InitialFriction
 from catopt.model.network import Network
 from catopt.old_names import renamed
+from catopt.progress import Progress
 from catopt.verify.case import load_states
 from catopt.verify.convergence_check import (
     DAMPINGS,
@@ -43,7 +44,7 @@ from catopt.verify.dynamic_run import DynamicRun
 from catopt.verify.dynamic_setup import Excitation, check_for_motion, read_drive
 from catopt.verify.judged import with_verdicts
 from catopt.verify.motion_file import energy_beyond
-from catopt.verify.side_by_side import Crew, Progress, effort_of, share_of, side_by_side
+from catopt.verify.side_by_side import Crew, effort_of, share_of, side_by_side
 from catopt.waves import Sea
 from catopt.words import Message, is_said
 

@@ -18,6 +18,7 @@ from catopt.model import Case, FatigueSeaState, Segment
 from catopt.model.dynamics import share_misfits
 from catopt.model.kinds import Force, NotNegative, Place, Positive, Share
 from catopt.old_names import renamed
+from catopt.progress import Progress
 from catopt.records import Counted, From, FromZero, Record
 from catopt.tables import Column, read_numbers, read_sheet
 from catopt.ties import largest
@@ -29,7 +30,7 @@ from catopt.verify.dynamic_lines import lines_at_rest
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification, Verdict, worst_verdict
 from catopt.verify.dynamic_setup import check_for_motion, read_drive
 from catopt.verify.motion_file import OfTotal
-from catopt.verify.side_by_side import Progress, effort_of, share_of
+from catopt.verify.side_by_side import effort_of, share_of
 from catopt.words import Message, given_keys
 
 _WHOLE = 1e-6

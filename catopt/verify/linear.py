@@ -87,6 +87,7 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
     if isinstance(lines, LinesOfAFloater):
         if not isinstance(lines.hull, FloatingHull):
             allowed = Message("refused_motion.linear_hull")
+            assert case.floater is not None
             raise refused(f"floater.{case.floater.kind}", "", allowed, "linear motion")
         if problems := list(_out_of_plane(lines, lines.hull)):
             raise InputError(problems, "linear motion")

@@ -44,6 +44,7 @@ from catopt.floater.two_scales import (
 from catopt.model import Case, System
 from catopt.model.dynamics import Dynamics
 from catopt.mooring.static_equilibrium import zero_load_position
+from catopt.progress import Progress
 from catopt.verify.convergence_check import LIMIT, Change
 from catopt.verify.dynamic_setup import Excitation, read_drive
 from catopt.verify.ship_result import (
@@ -57,7 +58,6 @@ from catopt.verify.ship_result import (
     remarks_of,
     slow_cycles,
 )
-from catopt.verify.side_by_side import Progress
 from catopt.waves import Waves
 from catopt.words import Message
 

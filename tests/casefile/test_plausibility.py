@@ -89,7 +89,7 @@ def test_points_and_sizings_have_the_same_ranges() -> None:
     assert [each.path for each in file.findings] == [("site", "water_density")]
 
 
-CHAIN = {"length": 100.0, "submerged_weight": 1000.0, "mass": 110.0}
+CHAIN: dict[str, Any] = {"length": 100.0, "submerged_weight": 1000.0, "mass": 110.0}
 IN_PYTHON: list[tuple[Any, dict[str, Any], str, str]] = [
     (Site, {"water_depth": 20.0, "seabed_friction": 3.0}, "seabed_friction: found 3", "friction"),
     (Site, {"water_depth": 20.0, "water_density": 10.0}, "water_density: found", "water_density"),

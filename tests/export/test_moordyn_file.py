@@ -221,7 +221,7 @@ def test_a_mass_that_only_just_bears_its_weight_has_no_volume() -> None:
     exported = moordyn_input(exported_lines(replace(case, line=Line(case.line.segments, [clump]))))
     (point,) = free(exported)
     assert point[6] == "0"
-    lighter = Line(case.line.segments, [replace(clump, mass=5000.0, accept=["weight_in_water"])])
+    lighter = Line(case.line.segments, [replace(clump, mass=5000.0, accept=("weight_in_water",))])
     with pytest.raises(InputError, match=r"point_loads\[0\].mass: found 5000 kg; must be above"):
         moordyn_input(exported_lines(replace(case, line=lighter)))
     floating = Line([*case.line.segments, Segment(5.0, -20.0, EA=1e8, mass=0.0)])

@@ -25,11 +25,8 @@ def test_speeds_of_zones_follow_from_their_pressures() -> None:
 def test_a_return_period_scales_the_pressure() -> None:
     """Vung Tau, zone II: 31 m/s in 50 years, 31 sqrt(0.87/1.20) = 26.4 m/s in ten."""
     found = wind_of_place("Vung Tau", 10.0 * YEAR)
-    assert (found.speed, found.zone, found.confidence) == (
-        pytest.approx(26.395, abs=1e-3),
-        "II",
-        "C",
-    )
+    assert found.speed == pytest.approx(26.395, abs=1e-3)
+    assert (found.zone, found.confidence) == ("II", "C")
     assert wind_of_place("zone iii").speed == 36.0
 
 

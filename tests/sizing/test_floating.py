@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 import pytest
 
@@ -12,9 +13,14 @@ from catopt.loads.buoy_shape import BuoyShape
 RHO, G = 1025.0, 9.80665
 
 
-def drum(**more: float) -> BuoyShape:
+def drum(**more: Any) -> BuoyShape:
     """Build a cylinder of 2 m, 1.5 m high, of 2 t, with a tower of 2 m: all by hand below."""
-    form = {"hull_diameter": 2.0, "hull_depth": 1.5, "mass": 2000.0, "least_freeboard": 0.2}
+    form: dict[str, Any] = {
+        "hull_diameter": 2.0,
+        "hull_depth": 1.5,
+        "mass": 2000.0,
+        "least_freeboard": 0.2,
+    }
     form |= {"tower_height": 2.0, "tower_width": 0.5, "centre_of_gravity": 0.5}
     return BuoyShape("drum", **(form | more))
 

@@ -28,8 +28,8 @@ def test_rates_are_those_of_the_tables_that_were_read() -> None:
 
 def test_a_zone_lasts_what_may_wear_over_its_rate() -> None:
     """38 mm down to 30.4 at 0.2, 0.4 and 2 mm a year: 38, 19 and 3.8 years."""
-    rates = (each * MM_A_YEAR for each in (0.4, 0.2, 2.0))
-    zone = ChainZone("thrash", 5.0, 12.0, 0.038, *rates, 0.0304)
+    mean, low, high = (each * MM_A_YEAR for each in (0.4, 0.2, 2.0))
+    zone = ChainZone("thrash", 5.0, 12.0, 0.038, mean, low, high, 0.0304)
     lives = zone.longest_life, zone.life, zone.shortest_life
     assert [each / YEAR for each in lives if each] == pytest.approx([38.0, 19.0, 3.8])
 

@@ -7,7 +7,7 @@ import time
 from pathlib import Path
 
 from catopt.errors import InputError, NotConvergedError, Problem
-from catopt.verify.side_by_side import Progress
+from catopt.progress import Progress
 
 __all__ = [
     "double",
