@@ -79,7 +79,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "verify": SOLVING | {"mooring", "checks", "fem", "waves", "hydro", "floater"},
     "sizing": SOLVING
     | DESIGNING
-    | {"catalogue", "casefile", "loads", "mooring", "waves", "verify", "floater"},
+    | {"catalogue", "casefile", "loads", "mooring", "waves", "verify"},
     "study": SOLVING
     | READING
     | {"checks", "design", "mooring", "verify", "sizing", "notes", "_version"},

@@ -86,7 +86,8 @@ def buoy(
     """Compute the loads on a buoy and its chain, after IALA's CALMAR reference."""
     from catopt.loads import WaterLevels, buoy_loads
     from catopt.loads.buoy import BUOY_METHODS
-    from catopt.sizing.requests import blowing, shape_of
+    from catopt.sizing.requests import shape_of
+    from catopt.sizing.wind import blowing
 
     place = name if is_file(name) else None
     options = {"buoy": None if place else name, **inputs}
@@ -162,7 +163,8 @@ def ship(
     from catopt.loads.ship import BARGE, MIDSHIP, TAKEN_FOR, WATERLINE, box_estimates, estimates
     from catopt.sizing.environment import DIRECTIONS, directions_of, read_turning, turned_round
     from catopt.sizing.known import estimated_dimensions, small_craft
-    from catopt.sizing.requests import of_the_wind, turns_by_itself, wind_of_30_s
+    from catopt.sizing.requests import turns_by_itself
+    from catopt.sizing.wind import of_the_wind, wind_of_30_s
 
     lengths = {
         "--waterline": waterline,

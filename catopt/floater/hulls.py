@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from dataclasses import replace
 from functools import lru_cache
@@ -18,14 +17,13 @@ from catopt.hydro.build import FloatingHull, HullOfCoefficients, Radiation
 from catopt.hydro.coefficient_files import WAMIT, read_capytaine, read_wamit
 from catopt.hydro.coefficients import Coefficients
 from catopt.hydro.cylinder import FloatingCylinder
-from catopt.loads.buoy import AIR_DENSITY, buoy, read_buoys
+from catopt.loads.buoy import buoy, read_buoys
+from catopt.loads.buoy_heel import centre_of, slices_of, wind_on
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model import Floater, HullAfloat, System
 from catopt.waves.random_surface import wave_numbers
 from catopt.words import Message
 
-_THICK: Final = 0.1
-"""Thickest slice, over the height of the hull."""
 _CARRIED: Final = 0.9
 """Part of the reserve buoyancy that the line takes at most where the radiation is found."""
 
@@ -94,33 +92,6 @@ def _righting(hull: FloatingHull, pull: float) -> float:
     return float(hull.stiffness[2, 2]) + pull * max(hull.centre - hull.eyes[0][2], 0.0)
 
 
-def heel_at_rest(
-    shape: BuoyShape,
-    density: float,
-    pull: float,
-    wind: float,
-    current: float,
-    centre_of_gravity: float | None = None,
-) -> float | None:
-    """Heel of a buoy under steady forces, rad; None for one that would not float upright.
-
-    Wind and current push where their areas are, N; the line holds both at the eye, and its pull
-    downwards, N, rights it. M cos a = K sin a, with the slope K of the upright buoy: above some
-    15 deg, where the deck dips, it is an estimate.
-    """
-    floats = Floater(shape.name or "buoy", centre_of_gravity=centre_of_gravity)
-    hull, slices = _rigid(floats, density, pull, shape)
-    upright = _righting(hull, pull)
-    if upright <= 0.0:
-        return None
-    wet = np.clip(hull.draught - slices.foot, 0.0, slices.top - slices.foot)
-    seen = slices.width * wet
-    middle = slices.foot + 0.5 * wet
-    low = float(seen @ middle / seen.sum())
-    high, eye = _wind(1.0, shape, hull.draught)[1], hull.eyes[0][2]
-    return math.atan2(wind * (high - eye) + current * (low - eye), upright)
-
-
 def _rigid(
     of: Floater, density: float, carried: float, shape: BuoyShape
 ) -> tuple[FloatingHull, _Slices]:
@@ -140,7 +111,7 @@ def _rigid(
         drag=0.5 * density * shape.drag_in_water * slices.width,
         bottom_drag=0.125 * math.pi * density * of.heave_drag * shape.widest**2,
         bottom_radius=0.5 * shape.widest,
-        wind=_wind(of.wind_speed, shape, draught),
+        wind=wind_on(of.wind_speed, shape, draught),
         wind_direction=of.wind_direction,
         constant=(0.0, density * STANDARD_GRAVITY * displaced, 0.0),
         eyes=((0.0, 0.0, shape.eye),),
@@ -151,25 +122,7 @@ def _rigid(
 
 def _slices(shape: BuoyShape) -> _Slices:
     """Cut a buoy into slices; what stands inside the hull displaces, and is not seen."""
-    hull, structure = shape.stacks
-    rows = []
-    for stack, is_hull in ((hull, True), (structure, False)):
-        for foot, each in stack:
-            cuts = [foot, foot + each.height]
-            if not is_hull:  # where it enters the hull and leaves it
-                cuts += [level for level in (0.0, shape.deck) if foot < level < cuts[1]]
-            cuts.sort()
-            for low, high in itertools.pairwise(cuts):
-                count = max(1, math.ceil((high - low) / (_THICK * shape.deck)))
-                ends = np.linspace(low, high, count + 1)
-                for a, b in itertools.pairwise(ends.tolist()):
-                    volume = each.displaced(b - foot) - each.displaced(a - foot)
-                    seen = is_hull or b <= 1e-9 or a >= shape.deck - 1e-9
-                    width = each.outline(a - foot, b - foot) / (b - a) if seen else 0.0
-                    under = 0.0 if is_hull or a >= 0.0 else 1.0
-                    rows.append((a, b, max(volume, 0.0), width, under))
-    rows.sort()
-    return _Slices(*(np.array(column) for column in zip(*rows, strict=True)))
+    return _Slices(*(np.array(column) for column in zip(*slices_of(shape), strict=True)))
 
 
 def _mass_of(of: Floater, shape: BuoyShape, slices: _Slices) -> tuple[float, float]:
@@ -178,32 +131,13 @@ def _mass_of(of: Floater, shape: BuoyShape, slices: _Slices) -> tuple[float, flo
     long = slices.top - slices.foot
     share = slices.volume / slices.volume.sum() * shape.mass
     total = shape.total_mass
-    centre = of.centre_of_gravity
-    if centre is None:
-        centre = shape.centre_of_gravity
-    if centre is None:
-        centre = float((share @ middle + shape.ballast * shape.lowest) / total)
+    centre = centre_of(shape, of.centre_of_gravity)
     if of.pitch_radius is not None:
         return centre, of.pitch_radius
     radius = np.sqrt(slices.volume / (math.pi * long))
     about = 0.25 * radius**2 + long**2 / 12.0 + (middle - centre) ** 2
     own = share @ about + shape.ballast * (shape.lowest - centre) ** 2
     return centre, math.sqrt(float(own) / total)
-
-
-def _wind(speed: float, shape: BuoyShape, draught: float) -> tuple[float, float]:
-    """Force of the wind, N, and the height above the hull's bottom at which it acts, m."""
-    height = shape.tower_height or math.fsum(each.height for each in shape.pylons)
-    areas = (
-        (shape.outline(low=draught), 0.5 * (draught + shape.deck)),
-        (shape.tower_area, shape.deck + 0.5 * height),
-        (shape.marks_area, shape.deck + height),
-    )
-    area = math.fsum(each for each, _ in areas)
-    if area == 0.0:
-        return 0.0, shape.deck
-    force = 0.5 * AIR_DENSITY * shape.drag_in_air * area * speed**2
-    return force, math.fsum(each * z for each, z in areas) / area
 
 
 def _radiation(hull: FloatingHull, slices: _Slices, depth: float) -> Radiation:

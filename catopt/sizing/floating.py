@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from catopt.constants import STANDARD_GRAVITY
+from catopt.loads.buoy_heel import heel_at_rest
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model.kinds import Angle, Height, Place, SomeForce
 from catopt.records import Record
@@ -50,7 +51,6 @@ def floats_in_storm(request: BuoyRequest, of: Sizing) -> FloatsInStorm | None:
     shape, density = request.buoy, request.environment.water_density
     if not isinstance(shape, BuoyShape):
         return None
-    from catopt.floater.hulls import heel_at_rest
 
     name, solution = largest(of.intact, lambda each: each[1].fairlead.vertical_force)
     reserve = shape.reserve_buoyancy(density)

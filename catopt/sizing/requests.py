@@ -15,7 +15,6 @@ from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind,
 from catopt.loads.buoy import buoy as look_up
 from catopt.loads.calmar_file import SUFFIX, read_calmar_buoy
 from catopt.loads.environment import HMAX_OVER_HS
-from catopt.loads.places import USUAL_PERIOD, PlaceWind, wind_of_place
 from catopt.loads.ship import (
     BALLAST_SOURCE,
     BARGE,
@@ -37,12 +36,10 @@ from catopt.model.kinds import Findings
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest, GivenBuoy
 from catopt.sizing.environment import (
-    WIND_MEAN,
     Environment,
     Weathervaning,
     demands,
     left_out,
-    mean_over,
     period_range,
     usual_period,
     weathervaning_of,
@@ -58,7 +55,7 @@ from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
 from catopt.sizing.upkeep import UpkeepInputs
-from catopt.units import lasting
+from catopt.sizing.wind import blowing, of_place, of_the_wind, wind_of_30_s
 from catopt.words import Cited, Listed, Message, Several, given_keys, term
 
 _WEATHER: Final = ("wind", "current", "hs")
@@ -187,38 +184,6 @@ def _check_heights(most: float, of: RunsAfloat) -> None:
 
 
 # ------------------------------------------------------------------ place and weather
-
-
-def wind_of_30_s(of: ResolvedInputs) -> float | None:
-    """Convert the wind to the mean that loads on a ship are computed for, m/s.
-
-    A wind whose averaging time is not known is taken for a mean of 30 s.
-    """
-    mean = of["wind_mean"] or WIND_MEAN
-    return of.errors.make(partial(mean_over, wanted=WIND_MEAN), of["wind"], mean)
-
-
-def blowing(of: ResolvedInputs) -> float | None:
-    """Take the wind that was given, or that of the place, m/s; None where it is not known."""
-    found = of_place(of)
-    return of["wind"] if found is None else found.speed
-
-
-def of_place(of: ResolvedInputs) -> PlaceWind | None:
-    """Look the wind of the place up; None without one."""
-    if of["place"] is None:
-        return None
-    look_up = partial(wind_of_place, recalled=bool(of["recalled"]))
-    return of.errors.make(look_up, of["place"], of["return_period"] or USUAL_PERIOD)
-
-
-def of_the_wind(of: ResolvedInputs) -> tuple[Message, ...]:
-    """Say to which speed the wind was converted."""
-    speed = wind_of_30_s(of)
-    if speed is None or of["wind_mean"] in (None, WIND_MEAN):
-        return ()
-    given = {"given": of["wind"], "mean": lasting(of["wind_mean"])}
-    return (Message("sizing.wind_converted", speed=speed, **given),)
 
 
 def of_the_service(of: ResolvedInputs, place: Environment | None) -> tuple[Message, ...]:

@@ -296,7 +296,7 @@ def test_a_family_without_mass_or_volume_is_told() -> None:
             for grade in ("T1", "T2")
         ),
         *(
-            f"family[0]: volume_diameter of grade {grade} is taken from mass, for which there is "
+            f"family[0]: volume_diameter of grade {grade} is derived from mass, for which there is "
             "no figure"
             for grade in ("T1", "T2")
         ),

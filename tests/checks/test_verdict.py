@@ -27,8 +27,9 @@ def subjects(of: Matter) -> list[str]:
 
 
 def in_motion(**own: Any) -> Matter:
-    """Take the checks at rest for those of its runs."""
-    return replace(report().matter, in_motion=replace(report(), is_in_motion=True, **own))
+    """Take the checks at rest for those of its runs, which were proven."""
+    runs = {"is_in_motion": True, "is_proven": True, **own}
+    return replace(report().matter, in_motion=replace(report(), **runs))
 
 
 def test_what_moves_and_was_not_run_is_amber_and_says_what_to_type() -> None:

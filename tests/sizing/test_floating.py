@@ -7,7 +7,7 @@ from typing import Any
 
 import pytest
 
-from catopt.floater.hulls import heel_at_rest
+from catopt.loads.buoy_heel import heel_at_rest
 from catopt.loads.buoy_shape import BuoyShape
 
 RHO, G = 1025.0, 9.80665
