@@ -247,7 +247,8 @@ def _of_the_runs(of: InMotion) -> Iterator[Brief]:
         yield Brief((band_words(of.band),), Message("sizing.card_band"), 4)
     yield Brief((of.counted.words,), Message("sizing.card_in_motion"), 2)
     proof = proof_words(of)
-    if proof is not None:
+    is_expected = of.is_of_ship and of.proof == "converged"  # of her smooth slow motion
+    if proof is not None and not is_expected:
         yield Brief((proof,), Message("sizing.card_rerun"), 3)
     if of.seas:
         yield Brief((seas_words(of),), Message("sizing.card_seas"), 3)

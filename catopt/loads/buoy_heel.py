@@ -41,7 +41,8 @@ def slices_of(shape: BuoyShape) -> list[Disc]:
             cuts.sort()
             for low, high in itertools.pairwise(cuts):
                 count = max(1, math.ceil((high - low) / (_THICK * shape.deck)))
-                ends = [low + (high - low) * k / count for k in range(count)] + [high]
+                step = (high - low) / count
+                ends = [*(k * step + low for k in range(count)), high]
                 for a, b in itertools.pairwise(ends):
                     volume = each.displaced(b - foot) - each.displaced(a - foot)
                     seen = is_hull or b <= 1e-9 or a >= shape.deck - 1e-9
