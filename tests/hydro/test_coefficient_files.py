@@ -203,7 +203,7 @@ def test_capytaine_refused(tmp_path: Path) -> None:
     assert [each.key for each in error.value.problems] == ["omega", "added_mass"]
     fewer = dataset().isel(radiating_dof=[0, 1], influenced_dof=[0, 1])
     fewer.to_netcdf(path, engine="scipy")
-    with pytest.raises(InputError, match="six freedoms"):
+    with pytest.raises(InputError, match="six degrees of freedom"):
         read_capytaine(path)
     path.write_text("no netCDF")
     with pytest.raises(InputError, match=r"netCDF4 or h5netcdf"):
