@@ -326,7 +326,7 @@ def upkeep_blocks(of: Upkeep) -> tuple[blocks.Block, ...]:
         zones.measured("nominal_diameter", "limit", "sizing.zone_limit", symbol=""),
         zones.measured(_YEARS, "life", "sizing.zone_life"),
         zones.measured(_YEARS, "shortest_life", "sizing.zone_shortest"),
-        zones.measured(_YEARS, "longest_life", "sizing.zone_longest"),
+        zones.measured(_YEARS, "longest_life", "sizing.zone_longest", priority=1),
         caption=Message("sizing.upkeep"),
     )
     said = [Message("sizing.zone_rates")]
