@@ -334,9 +334,13 @@ class MooredShip:
         rest: ShipAtRest,
         samples: int,
         start: Array | None = None,
-        step: float = SLOW_STEP,
+        step: float | None = None,
     ) -> Array:
-        """Step what drives it from a state, or from rest: a sample every step, s, (n, 6)."""
+        """Step what drives it from a state, or from rest: a sample every step, s, (n, 6).
+
+        `SLOW_STEP` where no step is given.
+        """
+        step = step or SLOW_STEP
         path = np.zeros((samples, 6))
         path[0, :3] = rest.place
         if not self.system.turns:

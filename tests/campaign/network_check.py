@@ -174,7 +174,9 @@ def _faults_of_places(found: LinesAtRest, places: dict[str, Vector]) -> Iterator
 def faults_of_refusal(network: Network, error: CatoptError) -> list[str]:
     """Say what is wrong with a refusal; empty when nothing is."""
     if isinstance(error, FloatsUpError):
-        deeper = replace(network, site=replace(network.site, water_depth=1e5))
+        deeper = replace(
+            network, site=replace(network.site, water_depth=1e5, accept=["water_depth"])
+        )
         return _unless(deeper, error, _floats_above(network.site.water_depth))
     if isinstance(error, NoEquilibriumError) and network.site.seabed_friction > 0.0:
         with pytest.MonkeyPatch.context() as patch:

@@ -333,7 +333,7 @@ def test_every_length_that_gives_it_is_named() -> None:
     assert asked is not None
     found = asked.ask()
     (said,) = (str(each) for each in found.solution.warnings if "another length" in str(each))
-    others = [float(each) for each in re.findall(r"too: ([\d.]+) m", said)]
+    others = [float(each) for each in re.findall(r"length: ([\d.]+) m", said)]
     assert others
     for value in (found.value, *others):
         assert asked.reading(asked.at(value)) == pytest.approx(asked.wanted, rel=1e-4)

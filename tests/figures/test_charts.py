@@ -95,7 +95,7 @@ def test_a_flat_line_is_magnified_and_a_steep_one_is_not() -> None:
     assert magnified(short(28.0, 10.0), 28.0) is None
     flat = magnified(leg(), 71.4)
     assert flat is not None
-    assert f"magnified {flat.to_scale:g} times" in flat.title
+    assert f"heights exaggerated {flat.to_scale:g} times" in flat.title
 
 
 def test_a_capacity_is_drawn_near_the_curve_and_said_when_far_above_or_not_known() -> None:
