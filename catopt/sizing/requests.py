@@ -91,6 +91,7 @@ def _of_a_buoy(of: ResolvedInputs) -> BuoyRequest | None:
     place = _environment(of, is_pushed=of.given.isdisjoint({"force", "reserve_buoyancy"}))
     line = _line(of, *_sizes_for(of, body))
     ground = _ground(of)
+    prices = (of[f"{what}_price"] for what in ("chain", "sinker", "fittings", "visit"))
     maker = partial(
         BuoyRequest,
         marine_growth=of["growth"] or 0.0,
@@ -99,10 +100,8 @@ def _of_a_buoy(of: ResolvedInputs) -> BuoyRequest | None:
         load_method=of["load_method"],
         scope=of["scope"],
         in_motion=_runs(of),
-        upkeep=UpkeepInputs(
-            of["thrash_wear"],
-            *(of[f"{what}_price"] for what in ("chain", "sinker", "fittings", "visit")),
-        ),
+        upkeep=of.errors.make(partial(UpkeepInputs, of["thrash_wear"], *prices))
+        or UpkeepInputs(),  # what is wrong is told with the rest
         crane=of["crane"],
         title=of["title"] or "",
         source=of["source"] or "",

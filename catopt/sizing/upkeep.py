@@ -45,6 +45,10 @@ _OF_THE_SHORTEST: Final = 0.5
 """Part of the shortest life after which a chain is looked at: catopt's own rule."""
 
 
+_MOST_WEAR: Final = 0.01 / YEAR * (1.0 + 1e-9)
+"""10 mm a year, m/s, with what the conversion of a unit may add."""
+
+
 @dataclass(frozen=True)
 class UpkeepInputs:
     """What is known of a chain's wear by zone, and of prices."""
@@ -57,7 +61,7 @@ class UpkeepInputs:
 
     def __post_init__(self) -> None:
         found = Findings("UpkeepInputs")
-        found.numbers(self, "m/s", "thrash_wear", at_least=0.0)
+        found.numbers(self, "m/s", "thrash_wear", at_least=0.0, at_most=_MOST_WEAR)
         keys = ("chain_price", "sinker_price", "fittings_price", "visit_price")
         found.numbers(self, "", *keys, at_least=0.0)
         found.raise_if_any()

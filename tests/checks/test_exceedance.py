@@ -19,7 +19,7 @@ from catopt.model import Anchor, Buoy, Checks
 from .lines import GROUNDED, LIFTED, asking
 
 FUNCTIONS = [getattr(exceedance, name) for name in exceedance.__all__ if name != "ROUNDING"]
-FACTOR = st.floats(1.0, 50.0)
+FACTOR = st.floats(1.0, 20.0)
 BAND = 4.0 * ROUNDING
 """Beside the limit, as a part of it or of H, rounding may decide either way."""
 

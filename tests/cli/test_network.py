@@ -122,7 +122,7 @@ def test_the_note_has_plan_and_side_and_every_line_out(run: Run, tmp_path: Path)
         *written["sections"]
     }
     page = (tmp_path / "note" / "leg.html").read_text("utf-8")
-    for words in ("Plan of the points and their 3 lines", "over x, to scale", "Loose then"):
+    for words in ("Plan of the points and their 3 lines", "along x, to scale", "Loose then"):
         assert words in page
     note = read_network_note(place)
     assert [each.missing for each in note.line_out] == [0, 1, 2]

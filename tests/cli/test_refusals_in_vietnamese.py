@@ -14,8 +14,9 @@ from catopt.casefile.schema import entries
 from catopt.casefile.writing import TEMPLATES
 from catopt.catalogue import standard
 from catopt.cli.app import _PLACES
+from catopt.export.exported import Format
 from catopt.loads.buoy import buoys
-from catopt.loads.drag_anchor import SOILS
+from catopt.loads.drag_anchor import ANCHORS, SOILS
 from catopt.loads.ship_coefficients import TYPES
 from catopt.loads.sinker import SOIL_FRICTION
 from catopt.model.case import Boundary
@@ -54,7 +55,7 @@ def names() -> set[str]:
     """List the words of what has one name in every language: keys, families, kinds and soils."""
     found = {*studies(), *_PLACES, *TEMPLATES, *TYPES, *SOILS, *SOIL_FRICTION, *get_args(Boundary)}
     found |= {each.name for each in buoys()}
-    found |= {*keys()}
+    found |= {*keys(), *ANCHORS, *get_args(Format)}
     families = standard().families
     found |= {each for family in families for each in (family.name, *family.grades)}
     return {word for each in found for word in re.findall(r"[a-z]{2,}", each.replace("_", " "))}

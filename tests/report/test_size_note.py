@@ -189,7 +189,7 @@ def test_the_pattern_has_the_rule_beside_the_equilibrium() -> None:
     offset = next(k for k, each in enumerate(table.headings) if "offset of the body" in each)
     assert table.rows[index][offset].value > 1.01 * drawn
     assert table.headings[offset].startswith("Largest")
-    assert table.headings[offset + 1].startswith("Largest pull")
+    assert table.headings[offset + 1].startswith("Largest downward pull")
     assert f"{drawn:.3f} m" in page.sections["size_pattern"]
 
 

@@ -153,7 +153,7 @@ def test_what_is_shown_of_the_damaged_state() -> None:
 
 def test_a_code_without_a_factor_for_it_says_so() -> None:
     text = "\n".join(sized(code="UFC-4-159-03").warnings)
-    assert "UFC-4-159-03 has no factor on the tension with one line out" in text
+    assert "UFC-4-159-03 has no factor on the tension with one line damaged" in text
 
 
 def test_a_single_line_has_no_such_state() -> None:

@@ -82,7 +82,7 @@ def buoy_by_hand() -> dict[str, float]:
     return {
         "waterline": waterline,
         "draught": draught,
-        "chain made fast": eye,
+        "chain attached": eye,
         "reserve buoyancy": reserve,
         "Hmax": hmax,
         "velocity of the waves": orbital,

@@ -123,7 +123,7 @@ def test_where_no_line_keeps_the_bound_the_key_and_ways_out_are_told() -> None:
     with pytest.raises(NoFeasibleDesignError) as caught:
         sized(max_swing="300 m")
     assert "span in load case" in str(caught.value)
-    assert "allowed 90 m" in str(caught.value)
+    assert "allowable 90 m" in str(caught.value)
     assert "What may help: " in str(caught.value)
     assert "more room to swing (max_swing), a clump weight" in str(caught.value)
     assert "a larger size (diameter_max)" in str(caught.value)  # beyond 120 mm some are sold
