@@ -93,7 +93,7 @@ def test_a_wind_of_ten_minutes_is_raised_and_the_answer_says_so() -> None:
     """U0 = 20: 1.082 x 20 = 21.64 m/s over 10 min is 1.219 x 20 = 24.38 m/s over 30 s."""
     request = requested(dwt="50000 t", depth="20 m", wind="21.64 m/s", wind_mean="10 min")
     assert request.environment.wind.speed == pytest.approx(24.38, abs=0.02)
-    (said,) = [each for each in request.estimates if "mean of 10 min" in each]
+    (said,) = [each for each in request.estimates if "averaged over 10 min" in each]
     assert said.startswith("Wind of 21.64 m/s averaged over 10 min is 24.38 m/s averaged over 30 s")
     assert requested(dwt="50000 t", depth="20 m", wind=25.0).environment.wind.speed == 25.0
 
@@ -129,7 +129,7 @@ def test_soft_ground_never_gets_the_smaller_sinker() -> None:
             for row in text.decode("utf-8-sig").splitlines()
             if row.startswith("Lifting weight")
         )
-        assert f"{(masses[-1] + line.mass) / 1e3:.3g} t in air, {hung / 1e3:.3f} kN hung" in lifted
+        assert f"{(masses[-1] + line.mass) / 1e3:.3g} t in air, {hung / 1e3:.3f} kN suspended" in lifted
     assert masses == sorted(masses)
     assert masses[2] > masses[1]
     assert "sand taken as fine or silty sand, the weakest of its kind" in said[1]

@@ -105,7 +105,7 @@ def test_motion_is_that_of_verify_dynamic(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("compute", "key", "said"),
     [
-        ("linear", "motion.surge", "motion runs them in time"),
+        ("linear", "motion.surge", '"motion" runs them in time'),
         ("statics", "load.horizontal_force", "no such key"),
         ("statics", "bodies[1].moment", "the file has 0 of them"),
     ],
