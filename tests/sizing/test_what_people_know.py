@@ -129,7 +129,10 @@ def test_soft_ground_never_gets_the_smaller_sinker() -> None:
             for row in text.decode("utf-8-sig").splitlines()
             if row.startswith("Lifting weight")
         )
-        assert f"{(masses[-1] + line.mass) / 1e3:.3g} t in air, {hung / 1e3:.3f} kN suspended" in lifted
+        assert (
+            f"{(masses[-1] + line.mass) / 1e3:.3g} t in air, {hung / 1e3:.3f} kN suspended"
+            in lifted
+        )
     assert masses == sorted(masses)
     assert masses[2] > masses[1]
     assert "sand taken as fine or silty sand, the weakest of its kind" in said[1]
