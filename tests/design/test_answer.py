@@ -131,7 +131,6 @@ def test_the_recommended_design_is_on_the_front_and_is_explained() -> None:
 def test_neighbours_are_one_step_away_and_checked() -> None:
     problem = DesignProblem.of(small_case())
     words = {step.change: step.genes for step in steps(problem.space, (1, 1, 1, 0, 1, 0))}
-    thicker = "wire spiral-strand 90 mm"
     assert words == {
         "segment 1: chain studless R3 50 mm instead of chain studless R3 60 mm": (0, 1, 1, 0, 1, 0),
         "segment 1: chain studless R4 60 mm instead of chain studless R3 60 mm": (3, 1, 1, 0, 1, 0),
