@@ -423,7 +423,7 @@ def test_the_answer_says_what_governs_and_what_was_excluded() -> None:
     document = result.to_dict()
     assert document["front"][0]["system"]["anchor_radius_m"] in (600.0, 620.0)
     changes = [str(each.change) for each in result.neighbours]
-    assert any("layout: " in change and " lines for " in change for change in changes)
+    assert any("layout: " in change and " lines instead of " in change for change in changes)
     assert str(result.present.change) == "the mooring in the case file"
     assert result.present.point is not None
 
