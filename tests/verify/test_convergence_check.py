@@ -250,7 +250,7 @@ def test_a_check_that_turns_out_otherwise_is_never_passed_over() -> None:
     assert all(not part.decides(each) for each in part.added_changes)
     assert part.undecided
     assert part.verdict == "not converged"
-    assert "another verdict" in proof_sentences(part)[0]
+    assert "change their verdict" in proof_sentences(part)[0]
 
 
 def test_a_snapping_line_is_run_with_half_and_twice_its_damping() -> None:
