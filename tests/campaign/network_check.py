@@ -175,7 +175,7 @@ def faults_of_refusal(network: Network, error: CatoptError) -> list[str]:
     """Say what is wrong with a refusal; empty when nothing is."""
     if isinstance(error, FloatsUpError):
         deeper = replace(
-            network, site=replace(network.site, water_depth=1e5, accept=["water_depth"])
+            network, site=replace(network.site, water_depth=1e5, accept=("water_depth",))
         )
         return _unless(deeper, error, _floats_above(network.site.water_depth))
     if isinstance(error, NoEquilibriumError) and network.site.seabed_friction > 0.0:
