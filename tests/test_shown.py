@@ -170,6 +170,7 @@ def plain_results() -> list[Any]:
     line = catopt.Line([catopt.Segment(100.0, 900.0)])
     compared = catopt_loads.compare_tanker()
     afloat: Any = None
+    network: Any = catopt.read_case(CASES / "raft-four-lines" / "case.toml")
     curve: Any = results()["curve"].curve
     return [
         catopt.component("chain studless R3", "76 mm"),
@@ -184,6 +185,7 @@ def plain_results() -> list[Any]:
         catopt_loads.size_sinker(1e4, soil="hard clay"),
         catopt_loads.ShipHeading(afloat, catopt_loads.HEAD_ON, 0.0, compared.loads, 20.0),
         results()["system"].watch_circle(force=1e6, directions=4),
+        catopt.solve_system(network),
         catopt_reproduce.reproduce("load_sharing"),
         catopt.run_study(CASES / "study-fleet" / "study.toml", workers=1),
         catopt.verify_dynamic(catopt.read_case(AT_SEA)),

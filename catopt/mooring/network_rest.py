@@ -13,6 +13,7 @@ from catopt.model.kinds import Angle, Force, Height, Place, Size, SomeForce
 from catopt.model.network import MooredBody, Network, Point
 from catopt.mooring.joints import JointsAtRest, Run, Vector, is_anchored, laid_out
 from catopt.records import From, FromZero, OrNull, Record
+from catopt.shown import Tabled
 
 
 @dataclass(frozen=True)
@@ -188,7 +189,7 @@ class LineAtRest(Record):
 
 
 @dataclass(frozen=True)
-class LinesAtRest(Record):
+class LinesAtRest(Tabled, Record):
     """Lines between points with all that is free at rest; `runs` from their anchors."""
 
     DOCUMENT = "points(of.name of.kind place bed_reaction) named_lines=lines bodies residual steps"

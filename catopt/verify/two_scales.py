@@ -137,7 +137,7 @@ def verify_ship(
     >>> short = replace(case.dynamics, duration=120.0, ramp=20.0)
     >>> found = verify_ship(replace(case, dynamics=short))
     >>> round(found.rest.force[0] / 1e3)
-    -1433
+    -1372
     """
     moored, drive = moored_ship(case, ship, on_lines)
     dynamics, legs = drive.dynamics, moored.system.legs
