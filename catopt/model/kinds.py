@@ -486,7 +486,7 @@ def exceeds(value: float, most: float) -> bool:
 
     Examples
     --------
-    >>> exceeds(20.0 * 4.4 * 1.4, 20.0 * (4.4 * 1.4)), 20.0 * 4.4 * 1.4 > 20.0 * (4.4 * 1.4)
+    >>> exceeds(3.0 * 0.1, 0.3), 3.0 * 0.1 > 0.3
     (False, True)
     """
     if isinstance(value, int) and isinstance(most, int):

@@ -211,8 +211,9 @@ def thrash_ends(
     Examples
     --------
     >>> from catopt.sizing.upkeep import thrash_ends
-    >>> thrash_ends(30.0, 100.0, 900.0, 9.0, 12.0)  # sqrt(144 + 216) = 18.97 m hang
-    (11.02633403898972, 21.0)
+    >>> ends = thrash_ends(30.0, 100.0, 900.0, 9.0, 12.0)  # sqrt(144 + 216) = 18.97 m hang
+    >>> [round(each, 2) for each in ends]
+    [11.03, 21.0]
     """
     hangs = math.sqrt(highest**2 + 2.0 * highest * pull / weight)
     return max(0.0, length - hangs), max(0.0, length - lowest)

@@ -16,7 +16,9 @@ W, PLACE, HEIGHT, WEIGHT = 50e3, 50.0, 20.0, 1000.0
 
 
 def line(friction: float | None = OWN, EA: float = math.inf) -> Line:
-    return Line([Segment(200.0, WEIGHT, EA)], [PointLoad(PLACE, W, friction=friction)])
+    return Line(
+        [Segment(200.0, WEIGHT, EA)], [PointLoad(PLACE, W, friction=friction, accept=["friction"])]
+    )
 
 
 def by_hand(force: float) -> float:

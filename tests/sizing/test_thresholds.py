@@ -170,7 +170,7 @@ def test_only_steps_to_less_that_fail_govern() -> None:
     sized = size_tanker(TankerRequest((LOADED,), deep(), line=ONE_SIZE))
     length = sized.point.line.length
     assert [each.change for each in sized.limits] == [
-        f"chain: {length - 27.5:g} m for {length:g} m"
+        f"chain: {length - 27.5:g} m instead of {length:g} m"
     ]
     for each in sized.limits:
         assert each.check is not None

@@ -29,12 +29,25 @@ HELP = ROOT / "cli" / "help.toml"
 
 EVERYWHERE = {"--help", "--help-all"}
 """Options that no command lists."""
-VERBS = {"by", "compiles", "counts", "did", "does", "goes", "has", "itself", "takes", "ghi"}
+VERBS = {
+    "behind",
+    "by",
+    "compiles",
+    "continues",
+    "counts",
+    "did",
+    "does",
+    "goes",
+    "has",
+    "itself",
+    "takes",
+    "ghi",
+}
 """What catopt is said to do, where it is no command."""
 OF_OTHERS = {"site.general", "mooring_systems", "line_types"}
 """Keys of other programs' files."""
 ROOTS = (CaseTable, NetworkTable, StudyTable, schema_of("buoy"), schema_of("tanker"))
-FOR_GIT = {"_version.py"}
+FOR_OTHERS = {"_version.py", "pdf.py"}
 """What types options of another program."""
 VALUES = {*FIND_QUANTITIES, *names()}
 """Words with underscores that are values of a key or of an argument."""
@@ -70,7 +83,7 @@ def texts() -> tuple[tuple[str, str], ...]:
 
 @cache
 def messages() -> tuple[tuple[str, str], ...]:
-    files = (path for path in sorted(ROOT.rglob("*.py")) if path.name not in FOR_GIT)
+    files = (path for path in sorted(ROOT.rglob("*.py")) if path.name not in FOR_OTHERS)
     code = (each for path in files for each in strings_of(path))
     return tuple(each for each in (*texts(), *code) if "--" in each[1] or "catopt " in each[1])
 
