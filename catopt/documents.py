@@ -22,6 +22,7 @@ from typing import Any
 
 from catopt.errors import InputError, Problem
 from catopt.words import Cited, Message, term
+from catopt.words.message import TURNING
 
 Path = tuple[str | int, ...]
 """Keys and array indices from the top of a document: ``("line", "segments", 0, "length")``."""
@@ -71,9 +72,6 @@ _REASONS = (
 """Reasons of the TOML reader that need plainer words, by how they begin."""
 
 _LONGEST_LINE = 48
-
-_TURNING = frozenset("\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069")
-"""Marks that turn the direction of writing, and so what a reader takes a text for."""
 
 
 def read_text(
@@ -212,7 +210,7 @@ def unfit(text: str) -> str:
         code = ord(each)
         is_control = unicodedata.category(each) in ("Cc", "Cs", "Zl", "Zp") and each not in "\n\t"
         is_none = code & 0xFFFE == 0xFFFE or 0xFDD0 <= code <= 0xFDEF
-        if is_control or is_none or each in _TURNING:
+        if is_control or is_none or each in TURNING:
             key = "refused.control_character" if is_control else "refused.no_character"
             name = unicodedata.name(each, "").lower()
             if name:

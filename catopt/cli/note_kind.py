@@ -11,8 +11,6 @@ from catopt.answers.note_line import line_note_answer
 from catopt.answers.note_size import size_note_answer
 from catopt.answers.note_system import network_note_answer, system_note_answer
 from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT, Moored, moored_in
-from catopt.cli.size import spelling_of
-from catopt.cli.size import typed as from_texts
 from catopt.cli.values import refuse
 from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError, Problem
@@ -100,6 +98,9 @@ def note_of_options(options: Options, path: Path | None, asked: Asked) -> SizeNo
 
     Raises InputError, with every option that there is no longer.
     """
+    from catopt.cli.size import spelling_of
+    from catopt.cli.size import typed as from_texts
+
     moored = _moored_by(options) if path is None else moored_in(path) or "buoy"
     spell, by_label = spelling_of(moored), _by_label(moored)
     refuse(
@@ -124,6 +125,8 @@ def note_of_options(options: Options, path: Path | None, asked: Asked) -> SizeNo
 
 
 def _by_label(moored: Moored) -> dict[str, Input]:
+    from catopt.cli.size import spelling_of
+
     spell = spelling_of(moored)
     return {spell(name): each for name, each in inputs_of(moored).items()}
 

@@ -430,11 +430,12 @@ def heading(name: str, quantity: Quantity, language: Language = "en", *, si: boo
     return f"{f'{say(name, language)} {quantity.symbol}'.rstrip()} ({unit})"
 
 
+TURNING: Final = "\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069"
+"""Marks that turn the direction of writing, and so what a reader takes a text for."""
 _ESCAPED: Final = {
-    code: ascii(chr(code))[1:-1]
-    for code in (*range(0x20), *range(0x7F, 0xA0), *range(0x202A, 0x202F), *range(0x2066, 0x206A))
+    code: ascii(chr(code))[1:-1] for code in (*range(0x20), *range(0x7F, 0xA0), *map(ord, TURNING))
 }
-"""How what steers a terminal is told: control characters, and those that turn the text about."""
+"""How what steers a terminal is told: control characters, and marks that turn the text about."""
 
 
 def on_one_line(text: str) -> str:

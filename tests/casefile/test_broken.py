@@ -53,10 +53,10 @@ def test_every_refusal_is_said_in_vietnamese(name: str, monkeypatch: pytest.Monk
 @pytest.mark.parametrize("language", ["en", "vi"])
 def test_nothing_in_a_refusal_steers_a_terminal(language: Language) -> None:
     """A line break, a colour, a vertical tab, and a mark that turns the text about."""
-    wrong = Problem("a\x0bb", "\x1b[31m\u202e", "one\ntwo")
+    wrong = Problem("a\x0bb", "\x1b[31m\u202e\u200f", "one\ntwo")
     said = say_refusal("", [wrong], language)
-    assert re.findall(r"[\x00-\x09\x0b-\x1f\u202e]", said) == []
+    assert re.findall(r"[\x00-\x09\x0b-\x1f\u202e\u200f]", said) == []
     assert said.count("\n") == 1
     for each in (said, f"  {wrong}"):
         assert r"a\x0bb" in each
-        assert r"\x1b[31m\u202e" in each
+        assert r"\x1b[31m\u202e\u200f" in each
