@@ -110,6 +110,8 @@ class Matter:
     """Whether what is moored moves, though the case does not say so."""
     remarks: tuple[str, ...] = ()
     """What was said beside the checks' warnings."""
+    deck: Message | None = None
+    """Why a buoy's deck is not above water at rest, where it is not."""
     invalid: tuple[str, ...] = ()
     """Why it is no answer."""
     no_way: tuple[str, ...] = ()
@@ -207,6 +209,11 @@ def _soil_words(of: Matter) -> Message:
     return Message("verdict.soil", friction=of.case.anchor.friction)
 
 
+def _deck_words(of: Matter) -> Message:
+    assert of.deck is not None
+    return of.deck
+
+
 SUBJECTS: Final[dict[str, Subject]] = {
     "motion": Subject(_moves, _is_run, ("case", "size", "page")),
     "strength": Subject(
@@ -220,6 +227,7 @@ SUBJECTS: Final[dict[str, Subject]] = {
             *("loads.breaks_beyond_drift", "motion.waves_break", "motion.wave_breaks"),
         )
     ),
+    "deck": Subject(lambda of: of.deck is not None, ways=("size",), words=_deck_words),
     "grounding": Subject(lambda of: of.has_said("sizing.touches_bed")),
     "soil": Subject(_slides, ways=("case", "size", "page"), words=_soil_words),
     "heel": Subject(_is_buoy_in_motion, lambda of: of.has_check("heel"), ways=("case", "size")),

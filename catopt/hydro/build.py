@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.interpolate import CubicSpline
 
-from catopt.arrays import Array, Codes, Flags
+from catopt.arrays import Array, Codes, Flags, rounded
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.hydro.coefficients import Coefficients, Memory
 from catopt.hydro.cylinder import FloatingCylinder
@@ -62,10 +62,10 @@ class Radiation:
         answer = of.at(omega)
         return cls(
             omega,
-            answer.added_mass,
-            answer.damping,
-            of.at_infinite_frequency(),
-            answer.excitation,
+            rounded(answer.added_mass),
+            rounded(answer.damping),
+            rounded(of.at_infinite_frequency()),
+            rounded(answer.excitation),
             _LASTS / scale,
         )
 

@@ -12,7 +12,7 @@ from catopt.loads.buoy_shape import BuoyShape
 from catopt.model.kinds import Angle, Height, Place, SomeForce
 from catopt.records import Record
 from catopt.ties import largest
-from catopt.words import is_said
+from catopt.words import Message, is_said
 
 if TYPE_CHECKING:
     from catopt.sizing.buoy_request import BuoyRequest
@@ -44,6 +44,16 @@ class FloatsInStorm(Record):
     """Of the current's surface against the hull, V^2 / 2 g."""
     edge_freeboard: Place | None
     """At the edge of the deck that dips, less the run-up; None without a heel."""
+
+    @property
+    def awash(self) -> Message | None:
+        """What keeps its deck from standing above water, for the verdict; None where it does."""
+        if self.heel is None or self.edge_freeboard is None:
+            return Message("verdict.not_upright")
+        if self.edge_freeboard < 0.0:
+            heel, depth = math.degrees(self.heel), -self.edge_freeboard
+            return Message("verdict.deck", heel=heel, depth=depth)
+        return None
 
 
 def floats_in_storm(request: BuoyRequest, of: Sizing) -> FloatsInStorm | None:

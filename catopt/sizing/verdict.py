@@ -27,6 +27,7 @@ def judgement_of(of: Sizing, who: Who = "size") -> Judgement:
         motion_by=_motion_by(of),
         moves=True,
         remarks=(*of.assumptions, *of.warnings),
+        deck=None if of.floats is None else of.floats.awash,
         no_way=("motion",) if of.afloat is None and of.ship_case is None else (),
     )
     return verdict_of(matter, _checks(of))

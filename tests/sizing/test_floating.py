@@ -7,8 +7,11 @@ from typing import Any
 
 import pytest
 
+import catopt
+from catopt.checks.verdict import Matter, not_judged
 from catopt.loads.buoy_heel import heel_at_rest
 from catopt.loads.buoy_shape import BuoyShape
+from catopt.sizing.floating import FloatsInStorm
 
 RHO, G = 1025.0, 9.80665
 
@@ -49,3 +52,26 @@ def test_a_buoy_that_would_not_float_upright_has_none() -> None:
 def test_a_pull_at_the_foot_rights_it() -> None:
     heels = [heel_at_rest(drum(), RHO, pull, 300.0, 2e3) or 0.0 for pull in (0.0, 5e3, 10e3)]
     assert heels == sorted(heels, reverse=True)
+
+
+@pytest.mark.parametrize(("wind", "awash"), [("25 m/s", False), ("31 m/s", True)])
+def test_a_deck_edge_under_water_keeps_the_verdict_amber(wind: str, *, awash: bool) -> None:
+    """0.5 D sin a against the freeboard's f cos a, less 0.05 m of run-up at 1 m/s."""
+    found = catopt.size_buoy("pillar 1.8 m", depth="12 m", wind=wind, at_rest=True)
+    floats = found.floats
+    assert floats is not None
+    assert floats.heel is not None
+    dips = 0.9 * math.sin(floats.heel) + 1.0 / (2.0 * G)
+    under = dips > floats.freeboard * math.cos(floats.heel)
+    named = [each.said for each in found.judgement.not_judged if each.subject == "deck"]
+    assert under is awash is bool(named)
+    assert found.judgement.colour == "amber"
+    if awash:
+        assert "deck edge 0.07 m under water" in named[0]
+
+
+def test_a_buoy_that_cannot_float_upright_is_said_in_the_verdict() -> None:
+    floats = FloatsInStorm("storm", 0.0, 0.5, 0.5, 0.2, None, 0.05, None)
+    assert "upright" in str(floats.awash)
+    (left,) = not_judged(Matter(deck=floats.awash, who="size"))
+    assert (left.said, left.how) == (floats.awash, "a wider buoy, --in-motion --centre-of-gravity")
