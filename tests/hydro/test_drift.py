@@ -9,12 +9,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.integrate import quad
 from scipy.special import iv, kv
 
 from catopt.errors import InputError
 from catopt.hydro.coefficients import Coefficients
 from catopt.hydro.cylinder import HEAVE
-from catopt.hydro.drift import HullForm, wave_drift_damping
+from catopt.hydro.drift import HullForm, _InWaves, _Meeting, wave_drift_damping
 from catopt.hydro.section import Section
 from catopt.waves.random_surface import depth_factor, wave_number
 
@@ -200,6 +201,31 @@ def test_waves_damp_slow_surge_ahead_as_by_hand() -> None:
     assert ahead[0, 1] == pytest.approx(0.0, abs=1e-6)
     # Chords of 10 deg in the table: 0.5 %.
     assert ahead[1, 1] == pytest.approx(2.0 * 0.8 / 9.80665 * 0.64, rel=0.02)
+
+
+def meeting(hull: HullForm, omega: float, heading: float) -> _Meeting:
+    section = Section(hull.breadth, hull.draught, hull.depth, 0.0, hull.density, hull.gravity)
+    return _Meeting(_InWaves(hull, section.at(omega)), math.cos(heading), math.sin(heading))
+
+
+def test_long_waves_carry_the_ship_whose_drift_is_sought() -> None:
+    """She goes where the surface goes; starboard is where they come from, pitch is bow down."""
+    found = meeting(HullForm(200.0, 40.0, 12.0, 60.0, block=1.0), 0.02, 0.5)
+    k, c, s = wave_number(0.02, 60.0), math.cos(0.5), math.sin(0.5)
+    level = 1j / math.tanh(k * 60.0)  # way of the water along a crest of 1 m
+    assert found.heave == pytest.approx(1.0, abs=0.01)
+    assert found.pitch == pytest.approx(-1j * k * c, rel=0.01)
+    assert found.sway == pytest.approx(-level * s, rel=0.01)
+    assert found._surge() == pytest.approx(level * c, rel=0.01)
+
+
+def test_she_surges_with_the_water_in_her_place() -> None:
+    """Beside quadrature of the water's own way over her length and her draught."""
+    found = meeting(HullForm(200.0, 40.0, 12.0, 60.0, block=0.8), 0.5, 2.6)
+    k, c = wave_number(0.5, 60.0), math.cos(2.6)
+    down = quad(lambda z: math.cosh(k * (z + 60.0)) / math.sinh(k * 60.0), -12.0, 0.0)[0] / 12.0
+    along = quad(lambda x: math.cos(k * c * x), -100.0, 100.0)[0] / 200.0
+    assert found._surge() == pytest.approx(1j * c * along * down, rel=1e-9)
 
 
 def test_rolling_changes_the_drift_abeam() -> None:
