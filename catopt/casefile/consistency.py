@@ -436,7 +436,7 @@ def _as_the_model_has_it(
         SegmentChoice((1.0,), optional=each.given.get("optional") is True) for each in segments
     )
     hung = [
-        ClumpWeightChoice((1.0,), 1.0, positions=() if joint else (1.0,), joint=joint)
+        ClumpWeightChoice((1.0,), 1e3, positions=() if joint else (1.0,), joint=joint)
         for joint in (weight.value("joint") for weight in weights)
     ]
     problems = refusals(

@@ -20,6 +20,7 @@ from catopt.casefile.schema import (
 )
 from catopt.documents import Path, dotted
 from catopt.errors import InputError, Problem
+from catopt.model.plausible import NAMES, accepting
 from catopt.units import as_written
 from catopt.words import Message
 
@@ -341,9 +342,10 @@ class FileSection:
 
 
 def refusals(part: Callable[..., object], **given: Any) -> Sequence[Problem]:
-    """List what a part of the model refuses in what is given."""
+    """List what a part of the model refuses in what is given, implausible values apart."""
     try:
-        part(**given)
+        with accepting(NAMES):  # those are told with the others of a file
+            part(**given)
     except InputError as error:
         return error.problems
     return ()

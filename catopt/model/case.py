@@ -160,8 +160,7 @@ class Case(Checked):
     """Names of the plausible ranges that its values may go beyond."""
 
     def _check(self, found: Findings) -> None:
-        parts = (self.site, self.anchor, *self.line.segments, *self.line.point_loads)
-        object.__setattr__(self, "accept", accepted_in(self.accept, parts))
+        object.__setattr__(self, "accept", accepted_in(self.accept, self))
         found.check("fairlead_height", "anchor_height")
         has_system = self.system is not None
         if self.site.is_in_air and (wet := [k for k in WET if getattr(self, k) is not None]):

@@ -31,6 +31,7 @@ from catopt.model.kinds import (
     Whole,
 )
 from catopt.model.load import LOADS
+from catopt.model.plausible import Plausible
 from catopt.model.system import System
 from catopt.words import Listed, Message
 
@@ -185,7 +186,7 @@ class SegmentChoice(Checked):
 
 
 @dataclass(frozen=True)
-class ClumpWeightChoice(Checked):
+class ClumpWeightChoice(Plausible):
     """What one clump weight may be, and where it may hang."""
 
     masses: tuple[Mass, ...]
@@ -212,7 +213,7 @@ class ClumpWeightChoice(Checked):
 
 
 @dataclass(frozen=True)
-class SinkerChoice(Checked):
+class SinkerChoice(Plausible):
     """Sinkers (deadweight anchors) to choose from; the lightest that holds is taken."""
 
     masses: tuple[Mass, ...]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Any, Final, Literal, get_args
+from typing import Annotated, Any, ClassVar, Final, Literal, get_args
 
 from catopt.errors import Problem
 from catopt.model.kinds import (
@@ -24,6 +24,7 @@ from catopt.model.kinds import (
     Time,
     Whole,
 )
+from catopt.model.plausible import Plausible
 from catopt.model.sea import OF_A_BODY, RAO_CONVENTIONS
 from catopt.model.system import FLOATERS, floater_kind
 from catopt.units import Dimension, as_written
@@ -58,7 +59,7 @@ tension of a line that snaps hangs on it."""
 
 
 @dataclass(frozen=True)
-class Dynamics(Checked):
+class Dynamics(Plausible):
     """Settings of ``catopt verify --dynamic``."""
 
     duration: Annotated[float, Measured(Dimension.TIME, above=0.0, example='"20 min"')]
@@ -301,8 +302,10 @@ _WAYS: Final = (("name",), ("log_a_D", "m"), ("K", "M"))
 
 
 @dataclass(frozen=True)
-class FatigueSeaState(Checked):
+class FatigueSeaState(Plausible):
     """Waves that last a part of the year."""
+
+    TABLE: ClassVar[str] = "sea_states"
 
     height: Length
     """Significant, m; of regular waves their own, as the period."""

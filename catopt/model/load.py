@@ -194,7 +194,7 @@ Code = Annotated[str, Text(filled=True, example='"break/5"')]
 
 
 @dataclass(frozen=True)
-class Checks(Checked):
+class Checks(Plausible):
     """Limits a design has to keep; None: not checked."""
 
     safety_factor: Factor = 1.0

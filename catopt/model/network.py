@@ -211,10 +211,7 @@ class Network(Checked):
             object.__setattr__(self, key, tuple(getattr(self, key)))
             if key != "bodies":
                 found.some(key, Message("refused_case.at_least_one_wanted"))
-        lines = [each.line for each in self.lines]
-        of_lines = [part for each in lines for part in (*each.segments, *each.point_loads)]
-        parts = (self.site, self.anchor, *of_lines)
-        object.__setattr__(self, "accept", accepted_in(self.accept, parts))
+        object.__setattr__(self, "accept", accepted_in(self.accept, self))
         names = [point.name for point in self.points]
         joints = [point.name for point in self.points if point.kind == "joint"]
         pulled = {each.name for each in self.points if each.hung[2] > 0.0 or any(each.hung[:2])}

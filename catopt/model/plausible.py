@@ -6,12 +6,12 @@ take values beyond the range of that name.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass, field, fields
 from functools import cache
-from typing import Final, NamedTuple
+from typing import ClassVar, Final, NamedTuple
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model.kinds import Accepted, Checked, Findings
@@ -83,6 +83,9 @@ def accepting(names: Sequence[str]) -> Iterator[None]:
 class Plausible(Checked):
     """A part of the model whose values have plausible ranges."""
 
+    TABLE: ClassVar[str] = ""
+    """Of a file, where some of its keys have a range there alone."""
+
     accept: tuple[Accepted, ...] = field(
         default_factory=_ACCEPTED.get, kw_only=True, compare=False, repr=False
     )
@@ -97,24 +100,27 @@ class Plausible(Checked):
             found.word("accept", name, NAMES, quoted=True)
         for key, name, allowed in beyond(self):
             if name not in names:
-                found.add(key, f"{getattr(self, key):g}", allowed)
+                value = getattr(self, key)
+                several = value if isinstance(value, tuple) else (value,)
+                found.add(key, ", ".join(f"{each:g}" for each in several), allowed)
         found.raise_if_any()
 
 
 @cache
-def _ranged(of: type) -> tuple[tuple[str, Range], ...]:
+def _ranged(of: type[Plausible]) -> tuple[tuple[str, Range], ...]:
     """List the attributes of a class that have a range."""
-    return tuple((each.name, _OF_KEY[each.name]) for each in fields(of) if each.name in _OF_KEY)
+    pairs = ((each.name, range_of((of.TABLE, each.name))) for each in fields(of))
+    return tuple((name, known) for name, known in pairs if known is not None)
 
 
 def beyond(part: Plausible) -> Iterator[tuple[str, str, Message]]:
     """Find the attributes beyond their range: key, name of the range, and what is allowed."""
     if getattr(part, "is_in_air", False):  # neither water nor depth
         return
-    of: type = type(part)
-    for key, known in _ranged(of):
+    for key, known in _ranged(type(part)):
         value = getattr(part, key)
-        if value is not None and not known.least <= value <= known.most:
+        several = value if isinstance(value, tuple) else (value,)
+        if any(each is not None and not known.least <= each <= known.most for each in several):
             bounds = {"least": known.least, "most": f"{known.most:g}", "name": known.name}
             yield key, known.name, Message("refused_case.implausible", **bounds)
     weight, mass = getattr(part, "submerged_weight", None), getattr(part, "mass", None)
@@ -125,7 +131,21 @@ def beyond(part: Plausible) -> Iterator[tuple[str, str, Message]]:
             yield "submerged_weight", HEAVIER, said
 
 
-def accepted_in(accept: Sequence[str], parts: Iterable[object]) -> tuple[Accepted, ...]:
-    """Return names that are accepted, with those that parts of the model go beyond."""
-    used = {name for part in parts if isinstance(part, Plausible) for _, name, _ in beyond(part)}
+def accepted_in(accept: Sequence[str], whole: object) -> tuple[Accepted, ...]:
+    """Return names that are accepted, with those that parts of a model go beyond."""
+    used = {name for part in _parts(whole) for _, name, _ in beyond(part)}
     return tuple(name for name in NAMES if name in used or name in accept)
+
+
+def _parts(whole: object) -> Iterator[Plausible]:
+    """Yield the parts of a model that accept values, each once."""
+    left, seen = [whole], set()
+    while left:
+        part = left.pop()
+        if isinstance(part, tuple):
+            left += part
+        elif isinstance(part, Checked) and id(part) not in seen:
+            seen.add(id(part))
+            left += [each for each in vars(part).values() if isinstance(each, tuple | Checked)]
+            if isinstance(part, Plausible) and part.accept:
+                yield part

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from itertools import pairwise
 from types import MappingProxyType
-from typing import Annotated, Any, Literal, get_args
+from typing import Annotated, Any, ClassVar, Literal, get_args
 
 from catopt.errors import Problem
 from catopt.model.kinds import (
@@ -27,6 +27,7 @@ from catopt.model.kinds import (
     Time,
     Whole,
 )
+from catopt.model.plausible import Plausible
 from catopt.units import Dimension
 from catopt.words import Message, given_keys
 
@@ -56,8 +57,10 @@ _TAKES: Mapping[str, tuple[str, ...]] = MappingProxyType(
 
 
 @dataclass(frozen=True)
-class WaveTrain(Checked):
+class WaveTrain(Plausible):
     """Waves of one spectrum: the wind sea, or a swell."""
+
+    TABLE: ClassVar[str] = "trains"
 
     spectrum: WaveSpectrum
     """How their energy lies over the frequency; one wave, if regular."""
@@ -81,7 +84,8 @@ class WaveTrain(Checked):
     def _check(self, found: Findings) -> None:
         found.check("spectrum", *_OF_A_TRAIN)
         if not found.problems:
-            given = {key: value for key, value in vars(self).items() if value is not None}
+            own = vars(self).items()
+            given = {key: value for key, value in own if value is not None and key != "accept"}
             found.problems += train_misfits(given)
 
     @property
@@ -91,11 +95,13 @@ class WaveTrain(Checked):
 
 
 @dataclass(frozen=True)
-class WaveState(Checked):
+class WaveState(Plausible):
     """Waves of the sea: as one train, as several `trains`, or as recorded in an `elevation_file`.
 
     What a `WaveTrain` has is of the one train; the direction is also of a record.
     """
+
+    TABLE: ClassVar[str] = "waves"
 
     spectrum: WaveSpectrum | None = None
     height: Length | None = None
@@ -120,8 +126,8 @@ class WaveState(Checked):
     are left out."""
 
     def _check(self, found: Findings) -> None:
-        default = {field.name: field.default for field in fields(self)}
-        given = {key: value for key, value in vars(self).items() if value != default[key]}
+        default = {field.name: field.default for field in fields(self) if field.compare}
+        given = {key: vars(self)[key] for key in default if vars(self)[key] != default[key]}
         found.problems += wave_misfits(given)
         found.check(
             "spectrum", *_OF_A_TRAIN, "elevation_x", "shortest_period", "stretching", "seed"
@@ -204,8 +210,10 @@ _TURN = 0.5 * math.pi * (1.0 + 1e-12)
 
 
 @dataclass(frozen=True)
-class CurrentProfile(Checked):
+class CurrentProfile(Plausible):
     """A current over the depth, steady or over time; docs/waves.md has the formulas."""
+
+    TABLE: ClassVar[str] = "current"
 
     profile: ProfileKind
     """How the speed depends on the depth."""

@@ -34,6 +34,7 @@ from catopt.model.kinds import (
     Weight,
 )
 from catopt.model.line import Line, weightless
+from catopt.model.plausible import Plausible
 from catopt.units import Dimension
 from catopt.words import Message
 
@@ -67,7 +68,7 @@ class Body(Checked):
 
 
 @dataclass(frozen=True)
-class ShipAfloat(Checked):
+class ShipAfloat(Plausible):
     """A ship, an FSO or a barge on its lines, by its main dimensions.
 
     Its x axis points forwards. It turns about the origin of the system where no fairlead lies off
@@ -141,7 +142,7 @@ class ShipAfloat(Checked):
 
 
 @dataclass(frozen=True)
-class HullAfloat(Checked):
+class HullAfloat(Plausible):
     """A body on several lines whose coefficients a panel program computed.
 
     It moves in six freedoms about the point of its files, which lies at the origin of the system,
@@ -244,7 +245,7 @@ def floater_misfits(given: Mapping[str, object]) -> list[Problem]:
 
 
 @dataclass(frozen=True)
-class Floater(Checked):
+class Floater(Plausible):
     """What floats: a buoy on its line, or several; a ship, or a hull of files, on several lines.
 
     A buoy moves with its lines: in surge, heave and pitch where waves, current and wind go along x
@@ -285,8 +286,8 @@ class Floater(Checked):
         if self.max_heel is not None and not 0.0 < self.max_heel < 0.5 * math.pi:
             allowed = Message("refused_case.upright_to_lying")
             found.add("max_heel", f"{math.degrees(self.max_heel):g} deg", allowed)
-        default = {each.name: each.default for each in fields(self)}
-        given = {key: value for key, value in vars(self).items() if value != default[key]}
+        default = {each.name: each.default for each in fields(self) if each.compare}
+        given = {key: vars(self)[key] for key in default if vars(self)[key] != default[key]}
         found.problems += floater_misfits(given)
 
     @property
@@ -389,7 +390,7 @@ class Leg(Checked):
 
 
 @dataclass(frozen=True)
-class System(Checked):
+class System(Plausible):
     """A body moored by several lines, free to move in x and y and, where it can, to yaw."""
 
     legs: tuple[Leg, ...]

@@ -11,7 +11,22 @@ import pytest
 from catopt import InputError, solve_case
 from catopt.casefile import parse_case, write_case
 from catopt.casefile.reading import parse_network
-from catopt.model import Anchor, Case, Line, Load, PointLoad, Segment, Site
+from catopt.model import (
+    Anchor,
+    Case,
+    Checks,
+    CurrentProfile,
+    Dynamics,
+    Floater,
+    Line,
+    Load,
+    PointLoad,
+    Segment,
+    SinkerChoice,
+    Site,
+    WaveState,
+    WaveTrain,
+)
 from catopt.model.kinds import OneOf, annotated
 from catopt.model.plausible import RANGES
 from catopt.sizing.file import parse_file
@@ -100,6 +115,16 @@ IN_PYTHON: list[tuple[Any, dict[str, Any], str, str]] = [
      "submerged_weight: found 100000", "weight_in_water"),
     (PointLoad, {"position": 50.0, "submerged_weight": 9.0, "friction": 50.0}, "50", "friction"),
     (Anchor, {"kind": "sinker", "submerged_weight": 1e5, "friction": 50.0}, "found 50", "friction"),
+    (Checks, {"safety_factor": 50.0}, "safety_factor: found 50", "safety_factor"),
+    (WaveState, {"spectrum": "jonswap", "height": 80.0, "period": 10.0}, "80", "wave_height"),
+    (WaveTrain, {"spectrum": "jonswap", "height": 8.0, "period": 90.0}, "90", "wave_period"),
+    (CurrentProfile, {"profile": "power", "speed": "100 kn"}, "speed: found 51", "current_speed"),
+    (CurrentProfile, {"profile": "table", "depths": (0.0, 5.0), "speeds": (1.0, 50.0)},
+     "speeds: found 1, 50", "current_speed"),
+    (SinkerChoice, {"masses": (1e3,), "density": 2400.0, "friction": 50.0}, "50", "friction"),
+    (Dynamics, {"duration": 600.0, "line_damping": 5.0}, "line_damping: found 5", "damping"),
+    (Floater, {"buoy": "pillar 1.8 m", "wind_speed": 200.0}, "found 200", "wind_speed"),
+    (Floater, {"buoy": "pillar 1.8 m", "pitch_damping": 3.0}, "found 3", "damping"),
 ]  # fmt: skip
 
 
