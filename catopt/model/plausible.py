@@ -107,9 +107,9 @@ class Plausible(Checked):
 
 
 @cache
-def _ranged(of: type[Plausible]) -> tuple[tuple[str, Range], ...]:
+def _ranged(of: type, table: str) -> tuple[tuple[str, Range], ...]:
     """List the attributes of a class that have a range."""
-    pairs = ((each.name, range_of((of.TABLE, each.name))) for each in fields(of))
+    pairs = ((each.name, range_of((table, each.name))) for each in fields(of))
     return tuple((name, known) for name, known in pairs if known is not None)
 
 
@@ -117,7 +117,8 @@ def beyond(part: Plausible) -> Iterator[tuple[str, str, Message]]:
     """Find the attributes beyond their range: key, name of the range, and what is allowed."""
     if getattr(part, "is_in_air", False):  # neither water nor depth
         return
-    for key, known in _ranged(type(part)):
+    of: type = type(part)
+    for key, known in _ranged(of, part.TABLE):
         value = getattr(part, key)
         several = value if isinstance(value, tuple) else (value,)
         if any(each is not None and not known.least <= each <= known.most for each in several):
