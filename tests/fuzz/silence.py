@@ -15,7 +15,7 @@ from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 
@@ -175,6 +175,10 @@ def _values(data: bytes) -> object:
 # ------------------------------------------------------------------ case files, coefficients
 
 
+_MEASURE: Final = re.compile(r'((?!-?0+(?:\.0+)? )(?<=")-?[\d.]+) [a-zA-Z/^0-9]+"')
+"""Number and unit of a text; zero is the same in any."""
+
+
 def _case(rng: random.Random) -> Any:
     """Change a number, a unit or a key of a case file; all of them are read or refused."""
     text = template(rng.choice(("buoy", "tanker", "leg", "system", "motion")))
@@ -187,8 +191,8 @@ def _case(rng: random.Random) -> Any:
     number = re.search(r"\d+\.?\d*", value)
     if way == 0 and number:
         value = value[: number.start()] + f"{float(number[0]) * 1.5 + 1:g}" + value[number.end() :]
-    elif way == 1 and re.search(r'\d [a-zA-Z/^0-9]+"', value):
-        value = re.sub(r'(\d) [a-zA-Z/^0-9]+"', rf'\1 {rng.choice(UNITS)}"', value, count=1)
+    elif way == 1 and _MEASURE.search(value):
+        value = _MEASURE.sub(rf'\1 {rng.choice(UNITS)}"', value, count=1)
     else:
         head += rng.choice("xs")
     lines[k] = f"{head} = {value}{mark}{comment}"
