@@ -214,6 +214,11 @@ def _deck_words(of: Matter) -> Message:
     return of.deck
 
 
+def _accepted_words(of: Matter) -> Message:
+    assert of.case is not None
+    return Message("verdict.plausible", names=", ".join(of.case.accept))
+
+
 SUBJECTS: Final[dict[str, Subject]] = {
     "motion": Subject(_moves, _is_run, ("case", "size", "page")),
     "strength": Subject(
@@ -231,6 +236,9 @@ SUBJECTS: Final[dict[str, Subject]] = {
     "grounding": Subject(lambda of: of.has_said("sizing.touches_bed")),
     "soil": Subject(_slides, ways=("case", "size", "page"), words=_soil_words),
     "heel": Subject(_is_buoy_in_motion, lambda of: of.has_check("heel"), ways=("case", "size")),
+    "plausible": Subject(
+        lambda of: of.case is not None and bool(of.case.accept), words=_accepted_words
+    ),
     "convergence": Subject(_is_run, _is_proven, ("case", "size", "page")),
     "wear": Subject(_wears, _is_worn, ("case", "size", "page")),
 }

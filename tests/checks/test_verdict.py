@@ -127,3 +127,12 @@ def test_the_verdict_is_said_in_vietnamese() -> None:
 
 def test_what_has_no_case_lists_nothing() -> None:
     assert not_judged(Matter()) == ()
+
+
+def test_what_is_accepted_beyond_its_range_is_said() -> None:
+    case = replace(read_case("cases/tanker-20m/case.toml"), service=Service(0.0))
+    assert "plausible" not in subjects(check_case(case).matter)
+    site = replace(case.site, seabed_friction=2.5, accept=("friction",))
+    said = check_case(replace(case, site=site)).judgement
+    assert said.colour == "amber"
+    assert said.said.endswith("accepted as asked for: friction.")
