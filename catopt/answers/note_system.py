@@ -24,6 +24,7 @@ from catopt.answers.blocks import (
     texts,
 )
 from catopt.answers.check import checked_body
+from catopt.answers.floats import buoyancy_tables, floats_tables
 from catopt.answers.note import (
     basis_section,
     by_both,
@@ -41,7 +42,6 @@ from catopt.answers.note_motion import body_motion_blocks
 from catopt.answers.solution import given_tables, method_name, profile_table
 from catopt.answers.system import (
     bodies_table,
-    floats_tables,
     joints_table,
     meeting_table,
     network_out_table,
@@ -501,6 +501,7 @@ def _joints(note: NetworkNote) -> Iterator[Block]:
     if note.rest.bodies:
         yield bodies_table(note.rest)
     yield from floats_tables(note.rest)
+    yield from buoyancy_tables(note.rest)
     if any(point.kind == "joint" for point in note.case.points):
         yield joints_table(note.rest, "joints")
     if note.rest.bodies or any(point.kind == "joint" for point in note.case.points):

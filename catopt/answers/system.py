@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Literal, cast
+from typing import TYPE_CHECKING, Literal
 
 from catopt.answers import blocks
 from catopt.answers.blocks import (
@@ -19,6 +19,12 @@ from catopt.answers.blocks import (
     texts,
 )
 from catopt.answers.check import verdict_blocks
+from catopt.answers.floats import (
+    buoyancy_on_card,
+    buoyancy_tables,
+    floats_on_card,
+    floats_tables,
+)
 from catopt.answers.solution import current_in_words, forces_at_ends
 from catopt.quantities import QUANTITIES
 from catopt.words import Measure, Message
@@ -29,7 +35,6 @@ if TYPE_CHECKING:
     from catopt.mooring.case import AtLevel, SystemReport
     from catopt.mooring.network_out import NetworkOut
     from catopt.mooring.network_rest import (
-        FloatsInCurrent,
         HeldBody,
         LinesAtRest,
         NetworkAtRest,
@@ -362,6 +367,7 @@ def network_answer(
             "captions.joints",
             blocks.Text(solved),
             *floats_tables(rest),
+            *buoyancy_tables(rest),
             joints_table(rest, "joints"),
         ),
         section("captions.lines", meeting_table(rest, "lines", checks), *places_tables(rest)),
@@ -381,12 +387,13 @@ def network_answer(
     *_, shapes = places_tables(rest)
     in_current = network.current_at_rest is not None  # then the floats are its joints
     card: tuple[blocks.CardBlock, ...] = (
+        *buoyancy_on_card(rest),
         *verdict_blocks(checks),
         *([out] if line_out else []),
         *([circle_table(circle)] if circle else []),
         *(curve_table(number, each) for number, each in enumerate(curves, start=1)),
         *(each for of in _levels(levels) for each in of.blocks if isinstance(each, blocks.Table)),
-        *_floats_on_card(rest),
+        *floats_on_card(rest),
         meeting_table(rest, "lines", checks),
         *([bodies_table(rest)] if rest.bodies else []),
         *_hung_on_card(each.point_loads for each in rest.named_lines),
@@ -430,42 +437,6 @@ def bodies_table(rest: LinesAtRest) -> blocks.Table:
         of.measured("offset", "position.y", "position", symbol="y"),
         caption=Message("captions.bodies"),
     )
-
-
-def floats_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
-    """Tabulate how far a current knocks floats down; nothing without one."""
-    if rest.network.current_at_rest is None:
-        return
-    heights = cast("FloatsInCurrent", rest).heights
-    of = Rows(zip(rest.runs, rest.lines, heights, strict=True))
-    yield tabulate(
-        "floats",
-        of.texts("point", lambda each: rest.network.points[each[0].second].name),
-        of.measured("height", lambda each: each[2], "height_in_still_water", symbol=""),
-        of.measured("height", lambda each: each[1].fairlead_height, symbol="z"),
-        of.measured("excursion", lambda each: each[2] - each[1].fairlead_height, "knocked_down_by"),
-        of.measured("span", lambda each: each[1].span, "pushed_aside_by", symbol=""),
-        of.measured("angle", lambda each: each[1].anchor.angle, "inclination_at_the_anchor"),
-        caption=Message("captions.floats"),
-    )
-
-
-def _floats_on_card(rest: LinesAtRest) -> Iterator[blocks.CardBlock]:
-    """Say of one float in a sentence how far a current knocks it down; of several in a table."""
-    for table in floats_tables(rest):
-        if table.length > 1:
-            yield table
-            continue
-        (line,), (still,) = rest.lines, cast("FloatsInCurrent", rest).heights
-        values = {
-            "z": line.fairlead_height,
-            "down": still - line.fairlead_height,
-            "aside": line.span,
-        }
-        lengths = {key: Measure("height", value) for key, value in values.items()}
-        angle = Measure("angle", line.anchor.angle)
-        name = rest.network.points[rest.runs[0].second].name
-        yield blocks.Text(Message("mooring.float_lies", name=name, angle=angle, **lengths))
 
 
 def joints_table(rest: LinesAtRest, name: str) -> blocks.Table:

@@ -413,6 +413,12 @@ def lowest_point(stretches: Sequence[Stretch]) -> LowestPoint:
     return max((each for each in places if each.z <= least), key=lambda each: each.s)
 
 
+def highest_afloat(stretches: Sequence[Stretch]) -> float:
+    """Return the height of the highest point of what is buoyant of a line, m; -inf without it."""
+    buoyant = [each for each in stretches if each.submerged_weight < 0.0]
+    return max((each.z for each in _turning_at(buoyant, 0.0)), default=-math.inf)
+
+
 def sag_of(stretches: Sequence[Stretch], span: float, height: float) -> float:
     """Return the largest vertical distance of a line below the straight one between its ends, m.
 

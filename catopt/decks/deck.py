@@ -48,7 +48,8 @@ class LineType:
 class Point:
     """Where lines end or meet; M (kg), V (m3), Cd A (m2) and force (N) of what hangs there.
 
-    `hung`: name of that, where the deck has one.
+    `hung`: name of that, where the deck has one. `float_height`: m, of what floats there; 0: not
+    known.
     """
 
     row: int
@@ -63,6 +64,7 @@ class Point:
     added_mass: float = 0.0
     force: tuple[float, float, float] = (0.0, 0.0, 0.0)
     hung: str = ""
+    float_height: float = 0.0
 
     @property
     def body(self) -> tuple[float, float, float, float]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import PurePath
 from typing import Any, Final
 
@@ -57,6 +57,8 @@ def network_of(deck: Deck, notes: Notes, title: str) -> Network:
         if kind == "joint":
             weight = deck.hung_weight(point)
             made.append(Point(point.name, kind, submerged_weight=weight, force=point.force))
+            if point.float_height and weight < 0.0:
+                made[-1] = replace(made[-1], mass=point.mass, float_height=point.float_height)
         else:
             made.append(Point(point.name, kind, point.x, point.y, height_of(deck, point.z)))
     lines = []

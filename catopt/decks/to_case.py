@@ -73,9 +73,10 @@ def chains_of(deck: Deck, notes: Notes, only: int | None = None) -> list[Chain]:
 
 
 def without_floating_ends(deck: Deck, notes: Notes) -> Deck:
-    """Put the buoyancy of a line that floats with a free end on the point from which it floats.
+    """Make a float of a line that floats with a free end, on the point from which it floats.
 
-    In still water it stands upright there and pulls with its net buoyancy, whatever its length.
+    In still water it stands upright there and pulls with its net buoyancy, as long as all of it is
+    under water: its length is its height.
     """
     points, pieces = dict(deck.points), []
     meeting = Counter(end for piece in deck.pieces for end in piece.ends)
@@ -91,8 +92,12 @@ def without_floating_ends(deck: Deck, notes: Notes) -> Deck:
         (foot,) = feet
         own = {"name": f"{number}", "point": foot.name, "length": piece.length}
         notes.say("floats_free", line=piece.row, lift=lift, **own)
-        volume = foot.volume + lift / (deck.density * deck.gravity)
-        points[foot.name] = replace(foot, volume=volume)
+        assert kind is not None
+        mass = kind.mass * piece.length
+        volume = foot.volume + (lift / deck.gravity + mass) / deck.density
+        points[foot.name] = replace(
+            foot, mass=foot.mass + mass, volume=volume, float_height=piece.length
+        )
         del points[bare[0].name]
     return replace(deck, points=points, pieces=pieces)
 
@@ -103,15 +108,13 @@ def _is_bare(point: Point) -> bool:
 
 
 def check_meeting(deck: Deck, notes: Notes) -> dict[str, list[DeckPiece]]:
-    """List the lines that meet in every point; a free one that holds nothing is refused."""
+    """List the lines that meet in every point."""
     meeting = _meeting(deck, notes)
     notes.raise_if_any()
     for name, pieces in meeting.items():
         point = deck.points[name]
         if not pieces:
             notes.say("unattached", line=point.row, name=name)
-        elif point.end == "free" and len(pieces) == 1 and not _is_pulled(deck, point):
-            notes.refuse(point.row, refusal("point", name=name), "nothing_holds_end")
         elif point.end != "free" and (point.mass or point.volume):
             notes.say("held_mass", line=point.row, name=name)
     return meeting
@@ -120,11 +123,6 @@ def check_meeting(deck: Deck, notes: Notes) -> dict[str, list[DeckPiece]]:
 def is_joint(point: Point, lines: int) -> bool:
     """Whether a point in which so many lines end is one of its own, and no load on one line."""
     return point.end == "free" and (lines != 2 or any(point.force))
-
-
-def _is_pulled(deck: Deck, point: Point) -> bool:
-    along, across, up = point.force
-    return up > deck.hung_weight(point) or along != 0.0 or across != 0.0
 
 
 def _meeting(deck: Deck, notes: Notes) -> dict[str, list[DeckPiece]]:

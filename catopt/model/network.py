@@ -5,10 +5,11 @@ from __future__ import annotations
 import itertools
 import math
 from collections import Counter
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated, ClassVar, Literal
 
+from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import Problem, refused
 from catopt.model.anchor import Anchor
 from catopt.model.case import Case, CatalogueChoice
@@ -21,6 +22,7 @@ from catopt.model.kinds import (
     Findings,
     Force,
     Height,
+    Length,
     Moment,
     Place,
     Size,
@@ -59,7 +61,11 @@ class Point(Checked):
     force: Annotated[tuple[Force, ...], Size(3, 3)] = (0.0, 0.0, 0.0)
     """On a joint, of what pulls there beside the lines, along x, y and up, N."""
     mass: SomeMass | None = None
-    """Of a joint, in air, kg: for lines in motion. None: not known."""
+    """Of a joint, in air, kg: for lines in motion, and of a float at the surface. None: not
+    known."""
+    float_height: Length | None = None
+    """Of a float, m, up from where its lines end: it comes out of the water over that. None: all at
+    once. With `mass`."""
     drag_area: Area | None = None
     """A of a joint, m2, for a current and in motion; with `drag_coefficient`. None: no drag."""
     drag_coefficient: Coefficient | None = None
@@ -79,6 +85,7 @@ class Point(Checked):
         object.__setattr__(self, "force", tuple(self.force))
         found.check("x", "y", "height", "submerged_weight", "force")
         found.check("mass", "drag_area", "drag_coefficient", "added_mass_coefficient")
+        found.check("float_height")
         given = [k for k in ("drag_area", "drag_coefficient") if getattr(self, k) is not None]
         found.problems += point_drag_misfits(given)
 
@@ -86,6 +93,16 @@ class Point(Checked):
     def drag_product(self) -> float:
         """Cd A, m2."""
         return (self.drag_coefficient or 0.0) * (self.drag_area or 0.0)
+
+    @property
+    def is_float(self) -> bool:
+        """Whether it is a joint that floats up."""
+        return self.kind == "joint" and self.submerged_weight < 0.0
+
+    @property
+    def lost_above(self) -> float:
+        """What a float loses of its lift out of the water, N: with its mass it weighs there."""
+        return (self.mass or 0.0) * STANDARD_GRAVITY - self.submerged_weight
 
     @property
     def hung(self) -> Vector:
@@ -122,10 +139,23 @@ def point_misfits(given: dict[str, object]) -> list[Problem]:
         for key in ("mass", "drag_area", "drag_coefficient", "added_mass_coefficient"):
             if given.get(key) not in (None, 0.0):
                 found.add(key, f"{given[key]}", allowed)
+    _check_float(given, found)
     if given.get("body") and given.get("kind") in ("anchor", "joint"):
         allowed = Message("refused_case.leave_out_only_fairlead_has_body")
         found.add("body", f"{given['body']}", allowed)
     return found.problems
+
+
+def _check_float(given: dict[str, object], found: Findings) -> None:
+    """Find a height of what is no float, and one without a mass."""
+    weight, height = given.get("submerged_weight"), given.get("float_height")
+    if height is None:
+        return
+    if not (given.get("kind") == "joint" and isinstance(weight, float | int) and weight < 0.0):
+        allowed = Message("refused_case.leave_out_only_float_has_height")
+        found.add("float_height", f"{height}", allowed)
+    elif given.get("mass") is None:
+        found.add("mass", "", Message("refused_case.float_height_wants_mass"))
 
 
 @dataclass(frozen=True)
@@ -214,10 +244,9 @@ class Network(Checked):
         object.__setattr__(self, "accept", accepted_in(self.accept, self))
         names = [point.name for point in self.points]
         joints = [point.name for point in self.points if point.kind == "joint"]
-        pulled = {each.name for each in self.points if each.hung[2] > 0.0 or any(each.hung[:2])}
         ends = [(line.start, line.end) for line in self.lines]
         tied = [[p.name for p in self.points if p.body == body.name] for body in self.bodies]
-        found.problems += network_misfits(names, joints, ends, pulled, tied)
+        found.problems += network_misfits(names, joints, ends, tied)
         self._check_bodies(found)
         self._check_current(found)
         for k, each in enumerate(self.lines):
@@ -408,13 +437,11 @@ def network_misfits(
     names: list[str],
     joints: list[str],
     ends: list[tuple[str, str]],
-    pulled: Collection[str],
     tied: Iterable[Sequence[str]],
 ) -> list[Problem]:
     """List ends that are no points, names given twice, joints and bodies that nothing holds.
 
-    `pulled`: joints that a force or their buoyancy keeps from falling; `tied`: the fairleads of
-    each body that is free.
+    `tied`: the fairleads of each body that is free.
     """
     found = Findings()
     for k, name in enumerate(names):
@@ -437,7 +464,7 @@ def network_misfits(
     return found.problems or [
         Problem(f"points[{k}]", name, why)
         for k, name in enumerate(names)
-        if (why := _loose(meeting[name], name in joints, name in pulled, name in held))
+        if (why := _loose(meeting[name], name in held))
     ]
 
 
@@ -449,10 +476,8 @@ def joined(to: Iterable[str], ends: Iterable[Iterable[str]]) -> set[str]:
     return found
 
 
-def _loose(meeting: int, is_joint: bool, is_pulled: bool, is_held: bool) -> str:
+def _loose(meeting: int, is_held: bool) -> str:
     """Say why nothing holds a point, or what it is for; empty where that is in order."""
     if not meeting:
         return Message("refused_case.no_line_ends_here")
-    if is_joint and meeting == 1 and not is_pulled:
-        return Message("refused_case.one_line_ends_here")
     return "" if is_held else Message("refused_case.no_line_leads_to_an_anchor")

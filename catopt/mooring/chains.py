@@ -8,11 +8,12 @@ three lines and more, or of one line.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from catopt.errors import NoEquilibriumError
+from catopt.catenary.layout import highest_afloat
+from catopt.errors import FloatsUpError, NoEquilibriumError
 from catopt.model import Line, PointLoad, Segment
 from catopt.model.network import LineBetween, Network
 from catopt.mooring.joints import (
@@ -20,7 +21,6 @@ from catopt.mooring.joints import (
     JointsAtRest,
     Run,
     Vector,
-    check_afloat,
     friction_of,
     laid_out,
     pulls_of,
@@ -32,6 +32,9 @@ from catopt.words import Message
 
 _LEFT = 1e-6
 """Part of the largest pull that lines of a row may leave over where friction is at work."""
+
+_IN_WATER = 1e-9
+"""Part of a line's length by which it may be above the surface from rounding."""
 
 JOINT = "joint: "
 """Before the name of the point load that a joint of a row is."""
@@ -54,12 +57,17 @@ class Row(NamedTuple):
         return Row(self.end, self.start, lines, self.joints[::-1])
 
 
-def rows_of(network: Network) -> tuple[Row, ...]:
-    """Put lines in rows; one that ends where it began is left in two."""
+def rows_of(network: Network, *, floats_apart: bool = False) -> tuple[Row, ...]:
+    """Put lines in rows; one that ends where it began is left in two.
+
+    `floats_apart`: floats stay joints, which they must where they come up to the surface.
+    """
     rows = [Row(line.start, line.end, ((k, False),)) for k, line in enumerate(network.lines)]
     for point in network.points:
         ending = [row for row in rows if point.name in (row.start, row.end)]
         if point.kind != "joint" or len(ending) != 2 or any(point.force):
+            continue
+        if point.is_float and floats_apart:
             continue
         one, other = ending
         one = one if one.end == point.name else one.turned()
@@ -139,15 +147,69 @@ def apart(
     own_runs = tuple(parted[k][0] for k in range(len(network.lines)))
     own_ends = tuple(parted[k][1] for k in range(len(network.lines)))
     everywhere = tuple(places[point.name] for point in network.points)
-    check_afloat(network, everywhere)
+    check_afloat(network, places, [name for row in rows for name in row.joints])
+    for run, ends in zip(own_runs, own_ends, strict=True):
+        _check_in_water(network, run, ends)
     left, where = _left(network, rows, own_runs, own_ends, up)
     _check_rows(network, own_ends, left, where)
     residual = max(found.residual, left)
     reactions = tuple(up[point.name] for point in network.points)
+    lost = dict(zip((point.name for point in whole.points), found.lost, strict=True))
     parted_at = found._replace(
-        places=everywhere, ends=own_ends, reactions=reactions, residual=residual
+        places=everywhere,
+        ends=own_ends,
+        reactions=reactions,
+        residual=residual,
+        lost=tuple(lost.get(point.name, 0.0) for point in network.points),
     )
     return own_runs, parted_at
+
+
+def check_afloat(network: Network, places: Mapping[str, Vector], names: Iterable[str]) -> None:
+    """Refuse floats of rows above the surface: they are to be joints."""
+    for name in names:
+        point, above = network.points[network.numbers[name]], places[name][2]
+        above += (point.float_height or 0.0) - network.site.water_depth
+        if point.is_float and above > 0.0:
+            raise FloatsUpError(Message("mooring.joint_floats_up", name=name, above=above))
+
+
+def _check_in_water(network: Network, run: Run, ends: Ends) -> None:
+    """Refuse a line that its own buoyancy takes above the surface, and above what holds it."""
+    line = run.line
+    weights = [part.submerged_weight for part in line.segments]
+    weights += [load.submerged_weight for load in line.point_loads]
+    if min(weights) >= 0.0:
+        return
+    laid, points = laid_out(run, ends), network.points
+    heights = [highest_afloat(laid.stretches)]
+    loads = zip(run.line.point_loads, laid.point_loads, strict=True)
+    heights += [at.z for load, at in loads if load.submerged_weight < 0.0]
+    ends_at = [end for each in network.lines for end in (each.start, each.end)]
+    held = [
+        height
+        for k, height in ((run.first, laid.anchor_height), (run.second, laid.fairlead_height))
+        if any(points[k].hung) or points[k].kind != "joint" or ends_at.count(points[k].name) > 1
+    ]
+    above = max(heights) - max((network.site.water_depth, *held))
+    if above > _IN_WATER * run.line.length:
+        raise FloatsUpError(Message("mooring.line_floats_up", number=run.name, above=above))
+
+
+def check_floats(
+    network: Network,
+    rows: tuple[Row, ...],
+    whole: Network,
+    found: JointsAtRest,
+    runs: Sequence[Run],
+) -> None:
+    """Refuse rows at rest with floats above the surface; as for `apart`."""
+    floats = {point.name for point in network.points if point.is_float}
+    places = dict(zip((point.name for point in whole.points), found.places, strict=True))
+    for row, run, ends in zip(rows, runs, found.ends, strict=True):
+        if floats & {*row.joints}:
+            _lay(row, run, ends, places, {})
+            check_afloat(network, places, row.joints)
 
 
 def _lay(row: Row, run: Run, ends: Ends, places: dict[str, Vector], up: dict[str, float]) -> None:

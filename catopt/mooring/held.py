@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 from catopt.catenary.in_current import hung_on_float
 from catopt.errors import (
     CatoptError,
+    FloatsUpError,
     InputError,
     NoEquilibriumError,
     NotConvergedError,
@@ -18,7 +20,7 @@ from catopt.errors import (
 from catopt.model import CurrentProfile, Site, System
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.model.plausible import NAMES
-from catopt.mooring.chains import apart, in_rows, rows_of
+from catopt.mooring.chains import Row, apart, check_afloat, check_floats, in_rows, rows_of
 from catopt.mooring.joints import (
     UNIT,
     Freed,
@@ -29,7 +31,6 @@ from catopt.mooring.joints import (
     Vector,
     assembled,
     by_turning,
-    check_afloat,
     freed,
     joints_at_rest,
     moored,
@@ -49,6 +50,8 @@ from catopt.mooring.network_rest import (
 )
 from catopt.old_names import old_function
 from catopt.words import Message
+
+Answer = TypeVar("Answer")
 
 _LOOSE = 1e-12
 """Of the largest stiffness: what a joint of slack lines is given of its own."""
@@ -125,7 +128,27 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
     (13.0, 4166.6)
     """
     network, origin = _with_its_body_held(network)
-    rows = rows_of(network)
+    return _with_floats(network, lambda rows: _held(network, rows, displacement, origin))
+
+
+def _with_floats(network: Network, solve: Callable[[tuple[Row, ...]], Answer]) -> Answer:
+    """Solve a network in rows, and with floats of rows as joints where they are not under water."""
+    rows, floats_apart = rows_of(network), rows_of(network, floats_apart=True)
+    try:
+        return solve(rows)
+    except (NoEquilibriumError, NotConvergedError, FloatsUpError):
+        if rows == floats_apart:
+            raise
+    return solve(floats_apart)
+
+
+def _held(
+    network: Network,
+    rows: tuple[Row, ...],
+    displacement: tuple[float, ...],
+    origin: tuple[float, float],
+) -> NetworkAtRest:
+    """Hold a body whose lines meet in joints, some of them in rows."""
     whole = in_rows(network, rows)
     arms, runs, found = _in_place(whole, displacement, origin)
     _check_pull(runs, found)
@@ -199,15 +222,16 @@ def at_rest(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> L
     try:
         neutral = without_load(network, displacement)
     except (NoEquilibriumError, NotConvergedError) as error:
-        return _loaded_alone(network, displacement, error)
+        rows = rows_of(network, floats_apart=True)
+        return _loaded_alone(network, rows, displacement, error)
     return neutral.under(network.bodies)
 
 
 def _loaded_alone(
-    network: Network, displacement: tuple[float, ...], error: CatoptError
+    network: Network, rows: tuple[Row, ...], displacement: tuple[float, ...], error: CatoptError
 ) -> LinesAtRest:
     """Bring bodies to rest under their loads at once; raises the error where they have none."""
-    whole = in_rows(network, rows_of(network))
+    whole = in_rows(network, rows)
     if whole.unloaded() == whole:
         raise error
     try:
@@ -216,7 +240,8 @@ def _loaded_alone(
         raise error from None
     _, held = _ends_held(whole, displacement)
     nowhere = found._replace(poses=((math.nan,) * 3,) * len(found.poses))
-    return WithoutLoad(network, whole, runs, held, nowhere).apart(network, whole, found)
+    start = WithoutLoad(network, rows, displacement, whole, runs, held, nowhere)
+    return start.apart(network, whole, found)
 
 
 @dataclass(frozen=True)
@@ -227,6 +252,8 @@ class WithoutLoad:
     """
 
     network: Network
+    rows: tuple[Row, ...]
+    displacement: tuple[float, ...]
     whole: Network
     runs: tuple[Run, ...]
     held: dict[int, Vector]
@@ -234,6 +261,19 @@ class WithoutLoad:
 
     def under(self, loaded: tuple[MooredBody, ...]) -> LinesAtRest:
         """Bring bodies to rest under their loads."""
+        return self._with_floats(lambda start: start._under(loaded))
+
+    def _with_floats(self, solve: Callable[[WithoutLoad], LinesAtRest]) -> LinesAtRest:
+        """Solve from here; or where floats of rows come up, from where they are joints."""
+        try:
+            return solve(self)
+        except FloatsUpError:
+            rows = rows_of(self.network, floats_apart=True)
+            if rows == self.rows:
+                raise
+        return solve(_without_load(self.network, rows, self.displacement))
+
+    def _under(self, loaded: tuple[MooredBody, ...]) -> LinesAtRest:
         network, whole = (replace(each, bodies=loaded) for each in (self.network, self.whole))
         found = self.found
         if any(any(body.force) or body.moment for body in loaded):
@@ -246,6 +286,9 @@ class WithoutLoad:
 
     def held_at(self, x: float, y: float) -> LinesAtRest:
         """Hold its one body off where it rests without load, m; it turns where it is free to."""
+        return self._with_floats(lambda start: start._held_at(x, y))
+
+    def _held_at(self, x: float, y: float) -> LinesAtRest:
         ((along, across, yaw),) = self.found.poses
         there = self.found._replace(poses=((along + x, across + y, yaw),))
         whole = self.whole.unloaded()
@@ -265,13 +308,19 @@ class WithoutLoad:
             )
             for k, (body, pose, before) in enumerate(poses)
         )
-        parted = apart(network, rows_of(network), whole, found, self.runs)
+        parted = apart(network, self.rows, whole, found, self.runs)
         return LinesAtRest(network, *parted, bodies)
 
 
 def without_load(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> WithoutLoad:
     """Bring a network to rest without load on its bodies; raises what `at_rest` raises."""
-    whole = in_rows(network, rows_of(network))
+    return _with_floats(network, lambda rows: _without_load(network, rows, displacement))
+
+
+def _without_load(
+    network: Network, rows: tuple[Row, ...], displacement: tuple[float, ...]
+) -> WithoutLoad:
+    whole = in_rows(network, rows)
     try:
         _, runs, found = _in_place(whole.unloaded(), displacement)
     except NoEquilibriumError as error:
@@ -280,7 +329,8 @@ def without_load(network: Network, displacement: tuple[float, ...] = (0.0,) * 6)
         said = Message("mooring.refused_without_load", refusal=error.message)
         raise NoEquilibriumError(said, error.quantity, error.missing) from error
     _, held = _ends_held(whole, displacement)
-    return WithoutLoad(network, whole, runs, held, found)
+    check_floats(network, rows, whole, found, runs)
+    return WithoutLoad(network, rows, displacement, whole, runs, held, found)
 
 
 def _in_current(network: Network, current: CurrentProfile) -> FloatsInCurrent:
@@ -300,7 +350,8 @@ def _in_current(network: Network, current: CurrentProfile) -> FloatsInCurrent:
         places[run.second] = (*at, found.fairlead_height)
         solutions.append(found)
         left = max(left, found.residual.span * found.fairlead.tension / run.line.length)
-    check_afloat(network, places)
+    named = dict(zip((point.name for point in network.points), places, strict=True))
+    check_afloat(network, named, named)
     joints = still.joints._replace(places=tuple(places), residual=left)
     return FloatsInCurrent(
         network, still.runs, joints, solutions=tuple(solutions), heights=tuple(heights)
@@ -410,9 +461,12 @@ def _condensed(
         matrix[k][k] += more
     inner, coupled = [row[:free] for row in matrix[:free]], [row[free:] for row in matrix[:free]]
     for k, point in enumerate(joints):
-        if found.reactions[point] > 0.0:  # it stays on the bed
+        more = _stiffness_up(network.points[point], found.reactions[point], found.lost[point])
+        if math.isinf(more):
             inner[3 * k + 2] = [float(i == 3 * k + 2) for i in range(free)]
             coupled[3 * k + 2] = [0.0] * size
+        else:
+            inner[3 * k + 2][3 * k + 2] += more
     least = _LOOSE * max(matrix[i][i] for i in range(free + size))
     for i in range(free):
         inner[i][i] += least  # where slack lines meet
@@ -421,6 +475,13 @@ def _condensed(
         for j in range(size):
             own[i][j] -= row[j]
     return own
+
+
+def _stiffness_up(point: Point, reaction: float, lost: float) -> float:
+    """Say how stiffly bed and surface hold a joint, N/m: inf where it stays on one of them."""
+    if not 0.0 < lost < point.lost_above:
+        return math.inf if reaction > 0.0 else 0.0
+    return point.lost_above / point.float_height if point.float_height else math.inf
 
 
 def _rotation(roll: float, pitch: float, yaw: float) -> Matrix:

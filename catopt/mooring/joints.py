@@ -77,7 +77,8 @@ class JointsAtRest(NamedTuple):
 
     reactions (N) are those with which the bed carries each point, residual the largest force left
     over at a joint or a body (N), steps those of Newton's method, poses how far each free body is
-    moved and turned from where it is given (m, m, rad).
+    moved and turned from where it is given (m, m, rad), lost what each float loses of its pull
+    upwards because it is out of the water (N).
     """
 
     places: tuple[Vector, ...]
@@ -86,6 +87,7 @@ class JointsAtRest(NamedTuple):
     residual: float
     steps: int
     poses: tuple[Vector, ...] = ()
+    lost: tuple[float, ...] = ()
 
 
 def runs_of(network: Network) -> tuple[Run, ...]:
@@ -227,12 +229,19 @@ def freed(
     places = _start(network, runs, fixed) if known is None else known.places
     net = _net(network, runs, held, joints, bodies, pinned)
     room = room_for(net)
-    room.q[:] = [each for k in joints for each in places[k]]
+    room.q[:] = [each for k in joints for each in _in_water(network, k, places[k])]
     for body, (x, y, yaw) in zip(bodies, poses, strict=True):
         room.q.extend((x, y, yaw * body.arm)[: body.freedoms])
     for k, ends in enumerate(() if known is None else known.ends):
         _guess(k, ends, room)
     return Freed(net, room, joints, bodies)
+
+
+def _in_water(network: Network, number: int, place: Vector) -> Vector:
+    """Put a joint that would begin below the bed, or a float above the surface, on it."""
+    x, y, z = place
+    afloat = network.points[number].is_float
+    return x, y, max(min(z, network.site.water_depth) if afloat else z, 0.0)
 
 
 def _brought_to_rest(network: Network, runs: Sequence[Run], of: Freed) -> JointsAtRest:
@@ -305,6 +314,11 @@ def _net(
         net.pull.extend(network.points[point].hung)
         net.kind.extend((FREE, FREE, OVER_THE_BED))
         net.scale.extend((1.0,) * 3)
+        of_joint = network.points[point]
+        most = of_joint.lost_above if of_joint.is_float else 0.0
+        net.surface.extend((math.inf, math.inf, network.site.water_depth))
+        net.buoyancy.extend((0.0, 0.0, most))
+        net.height.extend((0.0, 0.0, of_joint.float_height or 0.0))
         net.group.append(len(net.pull))
     for moves in bodies:
         of, first = moves.body, len(net.pull)
@@ -318,6 +332,9 @@ def _net(
         in_plan = PINNED if pinned else FREE
         net.kind.extend((in_plan, in_plan, TURNS)[: moves.freedoms])
         net.scale.extend((1.0, 1.0, moves.arm)[: moves.freedoms])
+        net.surface.extend((math.inf,) * moves.freedoms)
+        net.buoyancy.extend((0.0,) * moves.freedoms)
+        net.height.extend((0.0,) * moves.freedoms)
         net.group.append(len(net.pull))
     return net
 
@@ -346,6 +363,9 @@ def fixed_net(runs: Sequence[Run], places: Sequence[Vector], frictions: Sequence
         scale=[],
         kind=[],
         group=[0],
+        surface=[],
+        buoyancy=[],
+        height=[],
     )
 
 
@@ -405,13 +425,13 @@ def _found(of: Freed, under: Under) -> JointsAtRest:
     """Say what has come to rest."""
     room = of.room
     places = [tuple(room.place[at : at + 3]) for at in range(0, len(room.place), 3)]
-    reactions = [0.0] * len(places)
+    reactions, lost = [0.0] * len(places), [0.0] * len(places)
     for k, point in enumerate(of.joints):
-        reactions[point] = room.laid[3 * k + 2]
+        reactions[point], lost[point] = room.laid[3 * k + 2], room.lost[3 * k + 2]
     poses = tuple(pose_of(body, room.q) for body in of.bodies)
     ends = tuple(ends_of(k, of.net, room) for k in range(len(of.net.first)))
-    steps = int(under.codes[2])
-    return JointsAtRest(tuple(places), ends, tuple(reactions), float(under.left[0]), steps, poses)
+    left, steps = float(under.left[0]), int(under.codes[2])
+    return JointsAtRest(tuple(places), ends, tuple(reactions), left, steps, poses, tuple(lost))
 
 
 def pose_of(body: Moored, q: Sequence[float]) -> Vector:
@@ -525,7 +545,10 @@ def _start(network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> li
     for k, point in enumerate(joints):
         if sum(point in (run.first, run.second) for run in runs) == 1:
             hung = network.points[point].hung
-            pull = math.hypot(*hung)
+            if not any(hung):  # a free end is pulled by its line
+                (own,) = (run.line for run in runs if point in (run.first, run.second))
+                hung = (0.0, 0.0, -own.submerged_weight)
+            pull = math.hypot(*hung) or 1.0
             sides[k] = [side + force / pull for side, force in zip(sides[k], hung, strict=True)]
     found = zip(joints, solve(matrix, sides), strict=True)
     places = held | {point: (x, y, z) for point, (x, y, z) in found}
@@ -533,25 +556,18 @@ def _start(network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> li
 
 
 def _check(network: Network, runs: Sequence[Run], found: JointsAtRest) -> None:
-    """Refuse what lies where friction leaves it open, and buoys above the surface."""
+    """Refuse what lies where friction leaves it open, and floats lifted out of the water."""
     site = network.site
     for point, reaction in zip(network.points, found.reactions, strict=True):
         if reaction > 0.0 and site.seabed_friction > 0.0:
             said = Message("mooring.joint_on_bed", name=point.name, reaction=reaction)
             raise NoEquilibriumError(said, "force", reaction)
-    check_afloat(network, found.places)
+    for point, place in zip(network.points, found.places, strict=True):
+        above = place[2] - site.water_depth
+        if point.is_float and point.mass is None and above > 0.0:
+            raise FloatsUpError(Message("mooring.float_lifted", name=point.name, above=above))
     for run, each in zip(runs, found.ends, strict=True):
-        length = each.state.grounded
+        length = each.state.grounded if each.state.H > 0.0 else 0.0  # what is slack does not rub
         if length > 0.0 and site.seabed_friction > 0.0 and not is_anchored(network, run):
             said = Message("mooring.drags_both_ways", number=run.name, length=length)
             raise NoEquilibriumError(said, "force", length)
-
-
-def check_afloat(network: Network, places: Sequence[Vector]) -> None:
-    """Refuse buoys above the surface."""
-    depth = network.site.water_depth
-    for point, place in zip(network.points, places, strict=True):
-        above = place[2] - depth
-        if point.submerged_weight < 0.0 and above > 1e-9 * depth:
-            values = {"name": point.name, "above": above, "lift": -point.submerged_weight}
-            raise FloatsUpError(Message("mooring.joint_floats_up", **values))

@@ -57,7 +57,9 @@ class Net(NamedTuple):
     it is with its freedoms at 0 (`base`, m), four which freedom moves it along x, y and z and which
     turns it (-1: none), two how far it is off the origin of its body before the turn (`arm`, m).
     `pull` loads a freedom (N), `scale` is the arm of a yaw (m; else 1), `kind` one of the above;
-    `group` has the first freedom of each joint and body, and their number.
+    `group` has the first freedom of each joint and body, and their number. A float that has come up
+    to the `surface` (m) has lost `buoyancy` of its pull (N; 0: it is none), and no part of it at
+    `height` below that (m; 0: it is flat, and loses any part of it at the surface).
     """
 
     first: Any
@@ -75,6 +77,9 @@ class Net(NamedTuple):
     scale: Any
     kind: Any
     group: Any
+    surface: Any
+    buoyancy: Any
+    height: Any
 
 
 WHOLE: Final = ("first", "second", "piece", "freedom", "kind", "group", "held", "codes")
@@ -86,8 +91,8 @@ class Known(NamedTuple):
     """Where the freedoms are (`q`, m), and what is known there; written to.
 
     Of points their places and levers (m), of lines what STATE to STIFFNESS count; of freedoms
-    what is left over and what the bed carries (N), which are held, the stiffness (N/m), and room
-    for a step.
+    what is left over, what the bed carries and what is lost of buoyancy (N), which are held, the
+    stiffness (N/m), and room for a step.
     """
 
     q: Any
@@ -99,6 +104,7 @@ class Known(NamedTuple):
     block: Any
     left: Any
     laid: Any
+    lost: Any
     held: Any
     stiffness: Any
     pivots: Any

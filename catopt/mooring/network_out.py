@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from itertools import pairwise
 
@@ -91,8 +92,10 @@ def each_line_out(network: Network) -> tuple[NetworkOut, ...]:
 def _without(network: Network, missing: int) -> NetworkOut:
     left = {k: line for k, line in enumerate(network.lines) if k != missing}
     points = {point.name: point for point in network.points}
+    meeting = Counter(end for line in network.lines for end in (line.start, line.end))
+    alone = {name for name, lines in meeting.items() if lines == 1}  # what hangs there may
     loose: list[int] = []
-    while (found := _hanging(points, left)) is not None:
+    while (found := _hanging(points, left, alone)) is not None:
         number, end, held = found
         line = left.pop(number)
         loose.append(number)
@@ -120,12 +123,15 @@ def _without(network: Network, missing: int) -> NetworkOut:
 
 
 def _hanging(
-    points: Mapping[str, Point], lines: Mapping[int, LineBetween]
+    points: Mapping[str, Point], lines: Mapping[int, LineBetween], alone: Collection[str]
 ) -> tuple[int, str, str] | None:
-    """Find a line that ends in a joint with no other line and no pull: its free end, the other."""
+    """Find a line that ends in a joint with no other line and no pull: its free end, the other.
+
+    `alone`: joints in which no other line ended before.
+    """
     for point in points.values():
         along, across, up = point.hung
-        if point.kind != "joint" or up > 0.0 or along or across:
+        if point.kind != "joint" or point.name in alone or up > 0.0 or along or across:
             continue
         ending = [k for k, line in lines.items() if point.name in (line.start, line.end)]
         if len(ending) == 1:

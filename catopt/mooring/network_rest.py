@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Annotated, Literal, NamedTuple
 
@@ -152,6 +152,51 @@ class PointAtRest(NamedTuple):
 
 
 @dataclass(frozen=True)
+class FloatAtRest(Record):
+    """A joint that floats up: what its lines use of its buoyancy."""
+
+    DOCUMENT = "name buoyancy used=buoyancy_used left=buoyancy_left under draught freeboard"
+
+    of: Point
+    lost: float
+    """What it loses of its pull upwards out of the water, N."""
+    under: Height
+    """How far its top is below the surface; 0 where it is afloat."""
+
+    @property
+    def name(self) -> str:
+        """As the file has it."""
+        return self.of.name
+
+    @property
+    def buoyancy(self) -> Force:
+        """Its pull upwards under water, less its weight."""
+        return -self.of.submerged_weight
+
+    @property
+    def used(self) -> Force:
+        """What its lines and forces use of that; below 0 where they lift it."""
+        return self.buoyancy - self.lost
+
+    @property
+    def left(self) -> Force:
+        """What they may still add before it goes under."""
+        return self.lost
+
+    @property
+    def draught(self) -> Height | None:
+        """Of a float whose height is given."""
+        height = self.of.float_height
+        return None if height is None else height * (1.0 - self.lost / self.of.lost_above)
+
+    @property
+    def freeboard(self) -> Height | None:
+        """What of its height is out of the water."""
+        height, draught = self.of.float_height, self.draught
+        return None if height is None or draught is None else height - draught
+
+
+@dataclass(frozen=True)
 class PlacedLoad(Record):
     """A clump weight or a buoy of a line: where it is at rest."""
 
@@ -192,7 +237,9 @@ class LineAtRest(Record):
 class LinesAtRest(Tabled, Record):
     """Lines between points with all that is free at rest; `runs` from their anchors."""
 
-    DOCUMENT = "points(of.name of.kind place bed_reaction) named_lines=lines bodies residual steps"
+    DOCUMENT = (
+        "points(of.name of.kind place bed_reaction) floats named_lines=lines bodies residual steps"
+    )
 
     network: Network
     runs: tuple[Run, ...]
@@ -244,6 +291,30 @@ class LinesAtRest(Tabled, Record):
         """Each point, in the order of the file."""
         found = self.joints
         return tuple(map(PointAtRest, self.network.points, found.places, found.reactions))
+
+    @property
+    def floats(self) -> tuple[FloatAtRest, ...]:
+        """Each joint that floats up, in the order of the file."""
+        depth, found = self.network.site.water_depth, self.joints
+        of = zip(self.network.points, found.places, found.lost, strict=True)
+        return tuple(
+            FloatAtRest(point, lost, max(depth - place[2] - (point.float_height or 0.0), 0.0))
+            for point, place, lost in of
+            if point.is_float
+        )
+
+    @property
+    def with_floats_carried(self) -> Network:
+        """The network with floats that are afloat as the forces that hold their lines up."""
+        points = list(self.network.points)
+        for each in self.floats:
+            if each.lost:
+                along, across, up = each.of.force
+                force = (along, across, up + each.used)
+                points[self.network.numbers[each.name]] = replace(
+                    each.of, submerged_weight=0.0, force=force, float_height=None
+                )
+        return replace(self.network, points=tuple(points))
 
     @property
     def named_lines(self) -> tuple[LineAtRest, ...]:

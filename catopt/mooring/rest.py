@@ -78,6 +78,7 @@ def _sum(net: Net, known: Known) -> tuple[float, float]:
     largest = 0.0
     for i in range(len(net.pull)):
         known.left[i], known.laid[i], known.held[i] = net.pull[i], 0.0, 0
+        known.lost[i] = 0.0
     for k in range(len(net.first)):
         at = FORCES * k
         _add_force(at, net.first[k], net, known)
@@ -86,8 +87,10 @@ def _sum(net: Net, known: Known) -> tuple[float, float]:
             x, y, z = known.force[end], known.force[end + 1], known.force[end + 2]
             largest = max(largest, x * x + y * y + z * z)
     for i in range(len(net.pull)):
+        if net.buoyancy[i] > 0.0:
+            _float(i, net, known)
         if net.kind[i] == OVER_THE_BED and known.q[i] <= 0.0 and known.left[i] <= 0.0:
-            known.laid[i], known.left[i], known.held[i] = -known.left[i], 0.0, 1
+            known.laid[i], known.left[i], known.held[i] = 0.0 - known.left[i], 0.0, 1
         elif net.kind[i] == PINNED:  # what holds a body is no reaction of the bed
             known.left[i], known.held[i] = 0.0, 1
     most = 0.0
@@ -97,6 +100,20 @@ def _sum(net: Net, known: Known) -> tuple[float, float]:
             total += known.left[i] * known.left[i]
         most = max(most, total)
     return math.sqrt(most), math.sqrt(largest)
+
+
+@inlined
+def _float(i: int, net: Net, known: Known) -> None:
+    """Take off a float what it loses of its buoyancy; a flat one is held while it loses a part."""
+    out, height, most = known.q[i] - net.surface[i], net.height[i], net.buoyancy[i]
+    if height > 0.0:
+        known.lost[i] = most * min(max(out / height + 1.0, 0.0), 1.0)
+    elif out > 0.0:
+        known.lost[i] = most
+    elif out == 0.0 and known.left[i] > 0.0:
+        known.lost[i] = min(known.left[i], most)
+        known.held[i] = 1 if known.left[i] <= most else 0
+    known.left[i] -= known.lost[i]
 
 
 @inlined
@@ -132,6 +149,9 @@ def _assemble(net: Net, known: Known) -> float:
         _add_block(21, b, b, net, known)
         _add_turn(FORCES * k, a, net, known)
         _add_turn(FORCES * k + 3, b, net, known)
+    for i in range(n):
+        if 0.0 < known.lost[i] < net.buoyancy[i] and net.height[i] > 0.0:
+            known.stiffness[i * n + i] += net.buoyancy[i] / net.height[i]
     return stiffest
 
 
@@ -311,6 +331,10 @@ def _go(net: Net, known: Known, part: float) -> float:
         there = known.before[i] + part * known.way[i]
         if net.kind[i] == OVER_THE_BED:  # none goes below it
             there = max(there, 0.0)
+        if net.buoyancy[i] > 0.0 and net.height[i] == 0.0:  # or through the surface at once
+            off = known.before[i] - net.surface[i]
+            is_under = off < 0.0 or (off == 0.0 and known.pulled[i] <= 0.0)
+            there = min(there, net.surface[i]) if is_under else max(there, net.surface[i])
         known.q[i] = there
         downhill += known.pulled[i] * (there - known.before[i])
     return downhill

@@ -13,7 +13,7 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.catenary.batch import solve_many
 from catopt.catenary.case import solve_case
-from catopt.errors import refused
+from catopt.errors import FloatsUpError, refused
 from catopt.fem.dynamics import (
     body_at_rest,
     line_at_rest,
@@ -319,9 +319,13 @@ class LinesOfPoints:
 
     @classmethod
     def at_rest(cls, drive: Excitation) -> LinesOfPoints:
-        """Bring joints and bodies to rest in closed form."""
+        """Bring joints and bodies to rest in closed form; FloatsUpError: a float at the surface."""
         assert isinstance(drive.case, Network)
-        return cls(drive, held.at_rest(drive.case))
+        rest = held.at_rest(drive.case)
+        for each in rest.floats:
+            if each.lost > 0.0:
+                raise FloatsUpError(Message("motion.float_at_the_surface", name=each.name))
+        return cls(drive, rest)
 
     @property
     def legs(self) -> Sequence[Leg]:

@@ -19,9 +19,11 @@ from typing import Any
 import pytest
 
 from catopt import Line, solve
+from catopt.catenary.layout import highest_afloat
+from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import CatoptError, FloatsUpError, NoEquilibriumError, NotConvergedError
 from catopt.model import Site
-from catopt.model.network import Network
+from catopt.model.network import Network, Point
 from catopt.mooring.chains import rows_of
 from catopt.mooring.held import at_rest
 from catopt.mooring.joints import Vector, turned_line
@@ -49,9 +51,11 @@ def faults_of_answer(found: LinesAtRest) -> list[str]:
     limit = BALANCE * strongest + LAST_DIGITS * longest * stiffest
     limit += max(_given_way(line.line, network.site, strongest) for line in lines) * longest**0.5
     faults = [*_faults_of_places(found, places)]
-    for point, reaction in zip(network.points, kept.reactions, strict=True):
+    for point, reaction, lost in zip(network.points, kept.reactions, kept.lost, strict=True):
         if point.kind == "joint":
             x, y, z, _ = left[point.name]
+            z -= lost
+            faults += _faults_afloat(point, network.site.water_depth, places[point.name][2], lost)
             rubbed = network.site.seabed_friction * max(reaction, 0.0)
             over = math.hypot(max(math.hypot(x, y) - rubbed, 0.0), z + reaction)
             if over > limit:
@@ -67,6 +71,20 @@ def faults_of_answer(found: LinesAtRest) -> list[str]:
         if body.turns and abs(moment) > limit * arm:
             faults.append(f"{moment:.3g} N m left on {body.body.name}")
     return faults
+
+
+def _faults_afloat(point: Point, depth: float, height: float, lost: float) -> Iterator[str]:
+    """Check what a float loses of its lift by how far it is out of the water."""
+    weight = STANDARD_GRAVITY * (point.mass or 0.0)
+    most = max(weight - point.submerged_weight, 0.0) if point.submerged_weight < 0.0 else 0.0
+    out = height - depth + (point.float_height or 0.0)
+    if point.float_height:
+        least = most = most * min(max(out / point.float_height, 0.0), 1.0)
+    else:
+        least, most = (most if out > 0.0 else 0.0), (most if out >= 0.0 else 0.0)
+    rounding = 1e-12 * (weight - point.submerged_weight) * depth / (point.float_height or depth)
+    if not least - abs(rounding) <= lost <= most + abs(rounding):
+        yield f"{point.name} has lost {lost:.3g} N {out:.3g} m out of the water"
 
 
 def _arms(
@@ -157,8 +175,8 @@ def _faults_of_places(found: LinesAtRest, places: dict[str, Vector]) -> Iterator
         if point.kind == "joint":
             if z < 0.0:
                 yield f"{point.name} is {-z:.3g} m below the bed"
-            if point.submerged_weight < 0.0 and z > depth * (1.0 + 1e-9):
-                yield f"{point.name} floats {z - depth:.3g} m above the surface"
+            if point.is_float and point.mass is None and z > depth:
+                yield f"{point.name} is lifted {z - depth:.3g} m above the surface"
             continue
         a, b, c = point.place
         if point.body:
@@ -200,10 +218,16 @@ def _unless(network: Network, error: CatoptError, is_so: Any) -> list[str]:
 
 def _floats_above(depth: float) -> Any:
     def is_above(found: LinesAtRest) -> bool:
-        return any(
-            point.submerged_weight < 0.0 and place[2] > depth
-            for point, place in zip(found.network.points, found.joints.places, strict=True)
-        )
+        lines = found.lines
+        loads = [
+            at for line in lines for at in zip(line.line.point_loads, line.point_loads, strict=True)
+        ]
+        heights = [
+            *(highest_afloat(line.stretches) for line in lines),
+            *(at.z for load, at in loads if load.submerged_weight < 0.0),
+            *(point.place[2] for point in found.points if point.of.is_float),
+        ]
+        return max(heights) > depth
 
     return is_above
 
@@ -216,9 +240,9 @@ def _lies_open(found: LinesAtRest) -> bool:
     )
 
 
-def judge(seed: int) -> tuple[str, list[str]]:
+def judge(seed: int, draw: Callable[[int], Network] = drawn) -> tuple[str, list[str]]:
     """Solve one network; what became of it, and what is wrong."""
-    network = drawn(seed)
+    network = draw(seed)
     try:
         found = at_rest(network)
     except NotConvergedError as error:

@@ -7,7 +7,9 @@ import math
 import random
 from collections import Counter
 from collections.abc import Callable
+from dataclasses import replace
 
+from catopt.constants import STANDARD_GRAVITY
 from catopt.model import Line, PointLoad, Segment, Site
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 
@@ -26,6 +28,21 @@ def drawn(seed: int) -> Network:
         "chain of joints": made.joints_in_a_row,
     }[KINDS[seed % len(KINDS)]]()
     return made.network(f"{KINDS[seed % len(KINDS)]} {seed}")
+
+
+def drawn_afloat(seed: int) -> Network:
+    """Draw a network of any kind in water so shallow that floats come up; some have a height."""
+    network, draw = drawn(seed), random.Random(f"afloat {seed}")
+    depth = network.site.water_depth * draw.choice([0.25, 0.5, 0.75, 1.0])
+    points = []
+    for point in network.points:
+        own = {}
+        if point.is_float and draw.random() < 0.7:
+            own["mass"] = draw.uniform(0.0, 1.0) * -point.submerged_weight / STANDARD_GRAVITY
+            if draw.random() < 0.5:
+                own["float_height"] = depth * draw.uniform(1e-3, 0.3)
+        points.append(replace(point, **own))
+    return replace(network, site=replace(network.site, water_depth=depth), points=tuple(points))
 
 
 class _Drawing:

@@ -146,7 +146,6 @@ REFUSED = {
         ("3 main 3 6", "3 main 3 9", 20, "no such point"),
         ("3 main 3 6", "3 chain 3 6", 20, "known: main"),
         ("3 main 3 6", "3 main 3 R1A", 20, "rods"),
-        ("4 Coupled", "4 Free", 12, "nothing holds it"),
         ("320 WtrDpth", "bath.txt WtrDpth", 24, "bed is level"),
         ("320 WtrDpth", "300 WtrDpth", 9, "below the bed"),
         ("1 main 1 4 902.2", "1 main 1 4 -902.2", 18, "above 0"),

@@ -134,13 +134,12 @@ def test_a_deck_of_unequal_lines_at_model_scale(tmp_path: Path) -> None:
     assert barge.force == (1.0, 0.0)
 
 
-def test_a_free_point_that_holds_nothing_is_refused() -> None:
+def test_a_line_with_a_free_end_hangs_from_its_other() -> None:
     loose = BRIDLE.replace("7 nylon 9 7 90", "7 nylon 9 10 90").replace(
         "--- LINES", "10 Free 0 0 -20 0 0 0 0\n--- LINES"
     )
-    loose = loose.replace("5 nylon 6 7", "5 nylon 6 2")
-    with pytest.raises(InputError, match="one line ends here and nothing holds it"):
-        read_any_deck(loose)
+    network, _ = read_any_deck(loose.replace("5 nylon 6 7", "5 nylon 6 2"))
+    assert {"9", "10"} == {network.lines[6].start, network.lines[6].end}
 
 
 FILE = """

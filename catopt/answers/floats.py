@@ -1,0 +1,89 @@
+"""What is said of floats: how far a current knocks them down, and what is used of their lift."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, cast
+
+from catopt.answers import blocks
+from catopt.answers.blocks import Rows, if_known, tabulate
+from catopt.words import Measure, Message, Several
+
+if TYPE_CHECKING:
+    from catopt.mooring.network_rest import FloatsInCurrent, LinesAtRest
+
+
+def floats_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
+    """Tabulate how far a current knocks floats down; nothing without one."""
+    if rest.network.current_at_rest is None:
+        return
+    heights = cast("FloatsInCurrent", rest).heights
+    of = Rows(zip(rest.runs, rest.lines, heights, strict=True))
+    yield tabulate(
+        "floats",
+        of.texts("point", lambda each: rest.network.points[each[0].second].name),
+        of.measured("height", lambda each: each[2], "height_in_still_water", symbol=""),
+        of.measured("height", lambda each: each[1].fairlead_height, symbol="z"),
+        of.measured("excursion", lambda each: each[2] - each[1].fairlead_height, "knocked_down_by"),
+        of.measured("span", lambda each: each[1].span, "pushed_aside_by", symbol=""),
+        of.measured("angle", lambda each: each[1].anchor.angle, "inclination_at_the_anchor"),
+        caption=Message("captions.floats"),
+    )
+
+
+def floats_on_card(rest: LinesAtRest) -> Iterator[blocks.CardBlock]:
+    """Say of one float in a sentence how far a current knocks it down; of several in a table."""
+    for table in floats_tables(rest):
+        if table.length > 1:
+            yield table
+            continue
+        (line,), (still,) = rest.lines, cast("FloatsInCurrent", rest).heights
+        values = {
+            "z": line.fairlead_height,
+            "down": still - line.fairlead_height,
+            "aside": line.span,
+        }
+        lengths = {key: Measure("height", value) for key, value in values.items()}
+        angle = Measure("angle", line.anchor.angle)
+        name = rest.network.points[rest.runs[0].second].name
+        yield blocks.Text(Message("mooring.float_lies", name=name, angle=angle, **lengths))
+
+
+def buoyancy_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
+    """Tabulate what lines use of the buoyancy of floats, and what is left; nothing without one."""
+    of = Rows(rest.floats)
+    if rest.floats:
+        yield tabulate(
+            "buoyancy",
+            of.texts("point", "name"),
+            of.measured("vertical_force", "buoyancy", "buoyancy", symbol=""),
+            of.measured("vertical_force", "used", "buoyancy_used", symbol=""),
+            of.measured("vertical_force", "left", "buoyancy_left", symbol=""),
+            of.measured("utilisation", lambda each: each.used / each.buoyancy, "share_used"),
+            *if_known(
+                of.measured("height", lambda each: each.under or None, "under", symbol=""),
+                of.measured("height", "draught", "draught", symbol=""),
+                of.measured("height", "freeboard", "freeboard", symbol=""),
+            ),
+            caption=Message("captions.buoyancy"),
+        )
+
+
+def buoyancy_on_card(rest: LinesAtRest) -> Iterator[blocks.Text]:
+    """Say which floats are under water, and what is used of those that are not."""
+    if rest.network.current_at_rest is not None:
+        return
+    for key, is_under in (("floats_under", True), ("floats_afloat", False)):
+        floats = [
+            Message(
+                "mooring.float_under" if is_under else "mooring.float_afloat",
+                name=each.name,
+                under=Measure("height", each.under),
+                used=Measure("vertical_force", each.used),
+                buoyancy=Measure("vertical_force", each.buoyancy),
+            )
+            for each in rest.floats
+            if (each.under > 0.0) is is_under
+        ]
+        if floats:
+            yield blocks.Text(Message(f"mooring.{key}", floats=Several(tuple(floats), "; ")))
