@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
+from catopt.answers.bill import bill
 from catopt.answers.blocks import (
     Block,
     Fact,
@@ -20,7 +21,6 @@ from catopt.answers.blocks import (
     Verdict,
     rounded,
     tabulate,
-    texts,
 )
 from catopt.answers.check import governing_sentence, kind_name
 from catopt.answers.solution import given_tables
@@ -30,7 +30,7 @@ from catopt.checks.verdict import verdict_of
 from catopt.constants import YEAR
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.verify.motion_words import part_sentence
-from catopt.words import Cited, Measure, Message, Several, quantity_name, term
+from catopt.words import Cited, Measure, Message, Several, quantity_name
 
 if TYPE_CHECKING:
     from catopt.catalogue import Component
@@ -403,7 +403,7 @@ def sheet_sections(sheet: Sheet, held: str = "") -> Iterator[Section]:
 
     `held`, a message, says what holds a line where more is known of it than the case has.
     """
-    yield section("bill", _bill(sheet, held), "note_sheet")
+    yield section("bill", bill(sheet, held), "note_sheet")
     yield section("anchor_place", _anchor_place(sheet), "note_sheet")
     yield section("wear", _wear(sheet), "note_sheet")
     yield damaged_section(sheet)
@@ -468,59 +468,6 @@ def _is_in(name: str, criterion: Criterion) -> bool:
     if name == "one_line_out":
         return name in criterion.states
     return "intact" in criterion.states and name in criterion.kinds
-
-
-# ------------------------------------------------------------------ bill of materials
-
-
-class _Item(NamedTuple):
-    code: str
-    what: str
-    nominal_diameter: float | None = None
-    length: float | None = None
-    mass: float | None = None
-
-
-def _bill(sheet: Sheet, held: str) -> Iterator[Block]:
-    items, count = Rows(_items(sheet, held)), sheet.lines
-    together = Rows(items.read("mass"))
-    yield tabulate(
-        "bill",
-        texts("no", range(1, len(items.rows) + 1)),
-        items.texts("note_sheet.item", "what"),
-        items.texts("note_sheet.code", "code"),
-        *items.own("nominal_diameter", "length"),
-        texts("note_sheet.count", [count] * len(items.rows)),
-        items.measured("mass", "mass", "mass_in_air", symbol=""),
-        together.measured("mass", lambda mass: count * mass, "note_sheet.mass_together"),
-    )
-    joints = len(sheet.line.segments) + 1
-    yield Text(Message("note_sheet.fittings", each=joints, every=joints * count))
-
-
-def _items(sheet: Sheet, held: str) -> Iterator[_Item]:
-    """Yield what one line is made of; mass in kg."""
-    for segment in sheet.line.segments:
-        mass = None if segment.mass is None else segment.mass * segment.length
-        code, what = Cited(segment.name or segment.component), described(sheet.case, segment)
-        yield _Item(code, what, segment.nominal_diameter, segment.length, mass)
-    for load in sheet.line.point_loads:
-        key = "clump" if load.submerged_weight > 0.0 else "float"
-        yield _Item("", Message(f"note_sheet.{key}_at", place=load.position), mass=load.mass)
-    if sheet.anchor is not None:
-        name = {"drag": "Drag anchor", "sinker": "Sinker"}[sheet.anchor.kind]
-        yield _Item(held, term(name), mass=sheet.anchor.mass)
-
-
-def described(case: Case, segment: Segment) -> str:
-    """Say in words what a segment is made of, as its family of the catalogue is called."""
-    if not segment.component:
-        return Message("note_sheet.no_component")
-    from catopt.catalogue.choice import chosen
-
-    families = chosen(case.catalogue, case.site.water_density).families
-    family, grade = families.family(segment.component), families.parse_name(segment.component).grade
-    return Several((family.title, Cited(grade)), " ") if grade else family.title
 
 
 # ------------------------------------------------------------------ the anchor's place

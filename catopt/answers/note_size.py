@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
 from catopt.answers import size as sized
+from catopt.answers.bill import described
 from catopt.answers.blocks import (
     Block,
     Figure,
@@ -29,7 +30,6 @@ from catopt.answers.note import (
     Number,
     basis_section,
     components,
-    described,
     from_rows,
     inputs_table,
     note_answer,

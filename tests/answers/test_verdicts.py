@@ -46,7 +46,7 @@ def _check() -> tuple[Answer, Judgement, dict[str, Any]]:
 
 def _fails() -> tuple[Answer, Judgement, dict[str, Any]]:
     case = read_case("cases/tanker-20m-sinker/case.toml")
-    report = check_case(replace(case, checks=replace(case.checks, safety_factor=50.0)))
+    report = check_case(replace(case, checks=replace(case.checks, safety_factor=20.0)))
     return check_answer(report), report.judgement, report.to_dict()
 
 

@@ -63,7 +63,7 @@ def check(read: ReadPage) -> None:
     assert bool(read.all("limit_states")) == has_checks
     assert all(cell.text for row in read.table("basis").rows for cell in row)
     assert len(read.table("bill").rows) >= 1
-    assert re.search(r"NOT chosen|CHƯA được chọn", read.sections["bill"])
+    assert re.search(r"NOT chosen|CHƯA được chọn|shackle|ma ní", read.sections["bill"])
     # A dimension on a drawing.
     assert any(SPAN.search(each.text) for each in read.tagged("text"))
     # Load cases that are equal are shown once.

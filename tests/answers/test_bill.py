@@ -1,0 +1,68 @@
+"""The fittings of a bill of materials, counted by hand."""
+
+from __future__ import annotations
+
+from catopt import check_case
+from catopt.answers.bill import bill
+from catopt.answers.blocks import Table, Text
+from catopt.casefile import parse_case
+from catopt.catalogue.fittings import fittings
+from catopt.notes.sheet import sheet_of
+
+CHAIN = '[[line.segments]]\ncomponent = "chain studless R3"\ndiameter = "{} mm"\nlength = "40 m"\n'
+WIRE = (
+    '[[line.segments]]\nname = "wire"\nlength = "40 m"\nsubmerged_weight = 30\nMBL = "900 kN"\n'
+    "EA = 4e7\nmass = 3.5\n"
+)
+SINKER = (
+    '[anchor]\nkind = "sinker"\nmass = "60 t"\ndensity = "2400 kg/m^3"\nfriction = 0.6\n'
+    "safety_factor = 1.5\n"
+)
+
+
+def billed(line: str, more: str = "") -> tuple[dict[str, int], list[str]]:
+    """Return how many of each part there are, by its code, and what is said below."""
+    text = f'[site]\nwater_depth = "20 m"\n[line]\n{line}[load]\nhorizontal_force = "60 kN"\n'
+    case = parse_case(text + more)
+    table, *said = bill(sheet_of(case, case.line, check_case(case)), "")
+    assert isinstance(table, Table)
+    names, numbers = (
+        next(each.values for each in table.columns if str(each.name).endswith(name))
+        for name in ("ode or name", "umber")
+    )
+    assert all(isinstance(each, int) for each in numbers)
+    by_name = {str(name): number for name, number in zip(names, numbers, strict=True)}
+    return by_name, [str(each.said) for each in said if isinstance(each, Text)]  # type: ignore[return-value]
+
+
+def test_two_chains_on_a_sinker_have_five_shackles() -> None:
+    """Sinker, ring and shackle of the thin chain; at the joint its own; two of the thick above."""
+    found, said = billed(CHAIN.format(30) + CHAIN.format(34), SINKER)
+    shackles = {name: count for name, count in found.items() if name.startswith("shackle")}
+    assert list(shackles.values()) == [2, 2]
+    assert [count for name, count in found.items() if name.startswith(("swivel", "sinker r"))] == [
+        1,
+        1,
+    ]
+    assert not any("NOT chosen" in each for each in said)
+
+
+def test_none_is_weaker_than_the_chain_that_it_joins() -> None:
+    found, _ = billed(CHAIN.format(30), SINKER)
+    # DNV-OS-E302: R3 is 0.0223 d^2 (44 - 0.08 d) kN, 835 kN of 30 mm.
+    MBL = 0.0223 * 30.0**2 * (44.0 - 0.08 * 30.0) * 1e3
+    own = {f"{use} {1e3 * e.size:.4g} mm": e for e in fittings() for use in (e.kind, "sinker ring")}
+    chosen = [own[name] for name in found if name in own]
+    assert len(chosen) == 3
+    assert all(each.MBL >= MBL for each in chosen)
+
+
+def test_between_wires_nothing_is_chosen_and_that_is_said() -> None:
+    """Wire below chain: at the anchor none, at the joint by the chain, two above."""
+    found, said = billed(WIRE + CHAIN.format(30))
+    assert [count for name, count in found.items() if name.startswith("shackle")] == [3]
+    (open_ends,) = [each for each in said if "NOT chosen" in each]
+    assert open_ends.startswith("Fittings of 1 connections of a line, 1 in all")
+    found, said = billed(WIRE)
+    assert len(found) == 1
+    assert any("of 2 connections" in each for each in said)
