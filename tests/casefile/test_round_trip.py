@@ -43,7 +43,7 @@ from catopt.model.design import FIND_QUANTITIES, OBJECTIVES, SearchMethod
 from catopt.model.dynamics import INITIAL_FRICTION, JudgedBy, TimeScheme
 from catopt.model.kinds import COUNTS
 from catopt.model.load import LoadCaseKind
-from catopt.model.plausible import NAMES
+from catopt.model.plausible import NAMES, accepting
 from catopt.model.sea import WAVE_SPECTRA, Stretching
 
 POSITIVE = st.floats(min_value=1e-3, max_value=100.0)
@@ -68,7 +68,6 @@ FACTOR = st.floats(min_value=1.0, max_value=1e3)
 SEGMENTS = st.one_of(
     st.builds(
         Segment,
-        accept=st.just(NAMES),
         length=LENGTHS,
         submerged_weight=ANY,
         EA=POSITIVE | st.just(math.inf),
@@ -87,7 +86,6 @@ SEGMENTS = st.one_of(
     ),
     st.builds(
         Segment,
-        accept=st.just(NAMES),
         length=LENGTHS,
         submerged_weight=ANY,
         MBL_mean=POSITIVE,
@@ -103,7 +101,6 @@ SEGMENTS = st.one_of(
     # Of a component, with figures of one's own before those of the catalogue.
     st.builds(
         Segment,
-        accept=st.just(NAMES),
         length=LENGTHS,
         submerged_weight=ANY,
         EA=POSITIVE,
@@ -145,7 +142,6 @@ BUOYS = st.builds(Buoy, reserve_buoyancy=POSITIVE)
 ANCHORS = st.one_of(
     st.builds(
         Anchor,
-        accept=st.just(NAMES),
         kind=st.just("sinker"),
         submerged_weight=POSITIVE,
         friction=POSITIVE,
@@ -154,7 +150,6 @@ ANCHORS = st.one_of(
     ),
     st.builds(
         Anchor,
-        accept=st.just(NAMES),
         kind=st.just("drag"),
         holding_capacity=POSITIVE,
         safety_factor=FACTOR,
@@ -352,7 +347,6 @@ def lines(draw: st.DrawFn) -> Line:
     total = math.fsum(segment.length for segment in segments)
     loads = st.builds(
         PointLoad,
-        accept=st.just(NAMES),
         position=st.floats(1e-6, 0.999 * total),
         submerged_weight=ANY,
         mass=st.none() | NOT_NEGATIVE,
@@ -390,6 +384,12 @@ def questions(draw: st.DrawFn, line: Line) -> tuple[Line, Load | None, Find | No
 
 @st.composite
 def cases(draw: st.DrawFn) -> Case:
+    """Draw one whose numbers are any."""
+    with accepting(NAMES):
+        return _case(draw)
+
+
+def _case(draw: st.DrawFn) -> Case:
     anchor, fairlead = sorted([draw(NOT_NEGATIVE), draw(NOT_NEGATIVE)])
     line, load, find = draw(questions(draw(lines())))
     if find is not None and find.quantity == "touchdown_force":
@@ -423,7 +423,6 @@ def cases(draw: st.DrawFn) -> Case:
             draw(NOT_NEGATIVE),
             draw(st.floats(1e-3, 900.0)),
             draw(st.just(0.0) | st.floats(1e-6, 0.7) | st.floats(-0.7, -1e-6)),
-            accept=NAMES,
         ),
         line=line,
         load=load,
@@ -440,7 +439,7 @@ def cases(draw: st.DrawFn) -> Case:
         anchor=draw(st.none() | ANCHORS),
         catalogue=draw(CHOICES),
         design=draw(st.none() | designs(line, references)),
-        accept=NAMES,  # numbers are any
+        accept=NAMES,
         **moving,
     )
 
