@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+import tomllib
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from hashlib import sha256
 from pathlib import Path as FilePath
@@ -44,7 +45,7 @@ from catopt.model.line import StrainTable
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.model.sea import HARMONIC
 from catopt.units import UNITS, Dimension, as_written
-from catopt.words import Message
+from catopt.words import Language, Message
 
 _ESCAPES = str.maketrans({'"': '\\"', "\\": "\\\\", "\t": "\\t", "\n": "\\n"})
 _NAMED_FILE = re.compile(r'^(\w*file) = "(.*)"$', re.MULTILINE)
@@ -289,13 +290,15 @@ TEMPLATES: Mapping[str, Template] = MappingProxyType(
 """Templates by name."""
 
 
-def template(name: str) -> str:
+def template(name: str, language: Language = "en") -> str:
     """Return a commented file that its command takes as it stands.
 
     Parameters
     ----------
     name : str
         One of `TEMPLATES`.
+    language : str
+        Of its comments and its title; keys are the same in all.
 
     Returns
     -------
@@ -314,8 +317,23 @@ def template(name: str) -> str:
         raise refused("template", as_written(name), allowed)
     from importlib.resources import files
 
-    text = (files(__package__) / "templates" / f"{name}.toml").read_text(encoding="utf-8")
+    own = files(__package__)
+    text = (own / "templates" / f"{name}.toml").read_text(encoding="utf-8")
+    if language != "en":
+        said = tomllib.loads((own / f"comments.{language}.toml").read_text(encoding="utf-8"))
+        text = "".join(_translated(line, said) for line in text.splitlines(keepends=True))
     return _with_others(text) if "{others}" in text else text
+
+
+def _translated(line: str, said: Mapping[str, str]) -> str:
+    """Say the comment or the title of a line in another language, by the English one."""
+    if title := re.match('title = "(.*?)"', line):
+        line = line.replace(title[1], said[title[1]])
+    for mark in re.finditer("# ", line):
+        comment = line[mark.end() :].rstrip("\n")
+        if comment in said:
+            return f"{line[: mark.end()]}{said[comment]}\n"
+    return line
 
 
 def _with_others(text: str) -> str:

@@ -55,11 +55,11 @@ def new(
         return
     path = path or out
     place = path or Path(f"{name}.toml")
-    _create(place, template(name))
+    _create(place, template(name, lang))
     written, needs = [place], TEMPLATES[name].needs
     other = place.with_name(f"{needs}.toml")
     if needs and not other.exists():
-        _create(other, template(needs))
+        _create(other, template(needs, lang))
         written.append(other)
     if as_json:
         output.json(NewFile(name, str(place)).to_dict())

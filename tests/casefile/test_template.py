@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import catopt.casefile
 from catopt.casefile import TEMPLATES, parse_case, read_case, template
+from catopt.casefile.reading import parse_network
 from catopt.casefile.schema import entries
 from catopt.errors import InputError
 from catopt.model import Find
@@ -77,3 +80,34 @@ def test_each_template_is_a_file_and_the_other_way_round() -> None:
 def test_an_unknown_template_is_refused() -> None:
     with pytest.raises(InputError, match='template: found "bouy"; one of buoy, tanker,'):
         template("bouy")
+
+
+BEHIND = re.compile(r"(?:# )?(?:\[.*?\]+|[\w.]+ = .*?) {1,}# (.*)")
+ALONE = re.compile(r" *# (?!\[|[\w.]+ = )(.*)")
+
+
+@pytest.mark.parametrize("name", TEMPLATES)
+def test_a_template_says_every_comment_in_the_other_language(name: str) -> None:
+    """Keys and values are the same; no comment of it is left in English, and it fits a screen."""
+    english, other = template(name).splitlines(), template(name, "vi").splitlines()
+    assert len(english) == len(other)
+    for one, two in zip(english, other, strict=True):
+        found = BEHIND.fullmatch(one) or ALONE.fullmatch(one)
+        if found:
+            assert two.startswith(one[: found.start(1)])
+            said = two[found.start(1) :]
+            assert said != found[1]
+        elif not one.startswith("title"):
+            assert one == two
+        assert len(two) <= 100
+
+
+@pytest.mark.parametrize("name", sorted({*TEMPLATES} - {"study", "size-buoy", "size-tanker"}))
+def test_it_is_the_same_case_in_the_other_language(name: str) -> None:
+    one, two = parse(template(name)), parse(template(name, "vi"))
+    assert one.title != two.title
+    assert replace(two, title=one.title) == one
+
+
+def parse(text: str) -> Any:
+    return parse_network(text) if "[[points]]" in text else parse_case(text)
