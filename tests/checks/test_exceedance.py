@@ -30,6 +30,7 @@ BAND = 4.0 * ROUNDING
     checks=st.builds(
         Checks,
         safety_factor=st.floats(1.01, 50.0),
+        accept=st.just(("safety_factor",)),
         proof_load_factor=FACTOR,
         max_anchor_uplift_angle=st.floats(0.0, 1.5),
         max_anchor_uplift_force=st.floats(0.0, 1e5),
