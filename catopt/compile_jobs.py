@@ -147,7 +147,7 @@ def _ship() -> None:
     """Step a ship on its lines, by closed form and out of tables."""
     import numpy as np
 
-    from catopt.floater.ship import ShipInWeather
+    from catopt.floater.ship_in_weather import ShipInWeather
     from catopt.floater.tabulated import TabulatedShip
     from catopt.floater.two_scales import MooredShip
     from catopt.model import ShipAfloat

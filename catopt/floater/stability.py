@@ -11,7 +11,7 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.errors import NoEquilibriumError
 from catopt.floater.line_tables import no_tables
-from catopt.floater.ship import SlowShip, rates
+from catopt.floater.slow_ship import SlowShip, rates
 from catopt.mooring.balance import room_for
 from catopt.mooring.batch import as_arrays
 

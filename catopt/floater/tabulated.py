@@ -39,7 +39,10 @@ class TabulatedShip(MooredShip):
     def _fast(
         self, waves: Waves, time: Array, slow: Array, rest: ShipAtRest
     ) -> tuple[Array, Array, Array]:
-        key = (self.ship, waves, time.size, float(time[0]), len(self.system.legs))
+        # What is known to no better than a range moves her little in waves.
+        ship, legs = self.ship, len(self.system.legs)
+        weather = (ship.hull, ship.wind, ship.current, ship.of.wind_direction)
+        key = (*weather, waves, time.size, float(time[0]), legs)
         if key not in self.known:
             self.known[key] = super()._fast(waves, time, slow, rest)
         moved: tuple[Array, Array, Array] = self.known[key]

@@ -9,9 +9,9 @@ form at every place of its fairlead: without the line's own inertia and drag.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import Annotated, Any, Final, TypedDict
 
 import numpy as np
@@ -20,7 +20,27 @@ from catopt.arrays import Array
 from catopt.compiled import compiled
 from catopt.errors import NoEquilibriumError, NotConvergedError
 from catopt.floater.line_tables import no_tables
-from catopt.floater.ship import ShipInWeather, SlowShip, hang_lines, step_slowly
+from catopt.floater.ship_in_weather import ShipInWeather
+from catopt.floater.slow_drift import (
+    ALL_ROUND,
+    SLOW_STEP,
+    Sector,
+    drift_all_round,
+    drift_series,
+    grown_share,
+    mean_drift,
+    sector_around,
+    stable_headings,
+    summed_waves,
+    wave_numbers_of,
+)
+from catopt.floater.slow_ship import (
+    BEYOND,
+    HEADINGS,
+    SlowShip,
+    hang_lines,
+    step_slowly,
+)
 from catopt.floater.stability import SwingMode, linearised, swing_mode
 from catopt.hydro.coefficients import Coefficients
 from catopt.hydro.hull import monohull_response
@@ -32,18 +52,10 @@ from catopt.mooring.batch import as_arrays
 from catopt.mooring.descent import Rest
 from catopt.mooring.static_equilibrium import ZeroLoadPosition, zero_load_position
 from catopt.waves import Waves
-from catopt.waves.random_surface import wave_numbers
 from catopt.words import Message
 
-SLOW_STEP: Final = 1.0
-"""s: a thirtieth of the fastest slow motion that counts."""
 _FAST_STEPS: Final = 20
 """Samples of a mean period of the waves."""
-_HEADINGS: Final = 72
-"""Of the ship, all round, between which drift and response are interpolated."""
-_CHUNK: Final = 2000
-_SERIES: Final = 12
-"""Series of slow drift that are kept, some 6 MB an hour each."""
 _ROUNDS: Final = 60
 _OFF: Final = math.radians(1.0)
 """By which a ship that turns freely starts off its heading, so that fishtailing can begin."""
@@ -147,7 +159,7 @@ class MooredShip:
             return self.response, self.reference, self.crest
         of, ship = self.ship.of, self.ship.ship
         omega = np.geomspace(0.1, 4.0, 160)
-        heading = np.linspace(0.0, _TURN, _HEADINGS + 1)
+        heading = np.linspace(0.0, _TURN, HEADINGS + 1)
         answer = monohull_response(
             omega,
             heading,
@@ -175,7 +187,7 @@ class MooredShip:
         NoEquilibriumError where it finds no heading, or the lines do not hold it;
         NotConvergedError.
         """
-        drift = _mean_drift(self.ship, waves)
+        drift = mean_drift(self.ship, waves)
 
         def load(heading: float) -> Array:
             return self.ship.steady(heading, drift(heading))
@@ -198,7 +210,7 @@ class MooredShip:
         self, load: Callable[[float], Array], waves: Waves
     ) -> tuple[Rest, float, tuple[float, ...]]:
         """Let it turn freely about the origin: a heading at which a turn is turned back."""
-        stable = _headings(self.ship, waves)
+        stable = stable_headings(self.ship, waves)
         if stable is None:
             return self._held(load(0.0), 0.0), 0.0, ()
         if not stable:
@@ -269,19 +281,29 @@ class MooredShip:
         """Step the slow motion: x, y and yaw, a sample every `SLOW_STEP`, (n, 3)."""
         ship, of = self.ship, self.ship.of
         samples = math.ceil(duration / SLOW_STEP) + 1
-        grown = _grown(samples, ramp)
+        grown = grown_share(samples, ramp)
         speed = math.hypot(*ship.wind)
         gust = np.zeros(samples)
         if of.gusts != "none" and speed > 0.0:
             gust = gust_series(speed, samples, SLOW_STEP, generator)
         blown = np.outer(1.0 + grown * gust / (speed or 1.0), ship.wind)
-        drift = _drift_series(ship, waves, samples, ramp)
-        if not finer:
-            return self._stepped(self._driven(rest, blown, drift), rest, samples, start)[:, :3]
-        slow = self._driven(rest, _with_means(blown), _with_means(drift))
-        return self._stepped(slow, rest, 2 * samples - 1, start, 0.5 * SLOW_STEP)[::2, :3]
 
-    def _driven(self, rest: ShipAtRest, wind: Array, drift: Array) -> SlowShip:
+        def stepped(sector: Sector) -> Array:
+            drift = drift_series(ship, waves, samples, ramp, sector)
+            if not finer:
+                slow = self._driven(rest, blown, drift, sector)
+                return self._stepped(slow, rest, samples, start)[:, :3]
+            slow = self._driven(rest, _with_means(blown), _with_means(drift), sector)
+            return self._stepped(slow, rest, 2 * samples - 1, start, 0.5 * SLOW_STEP)[::2, :3]
+
+        try:
+            return stepped(sector_around(rest.place[2]))
+        except _LeavesSectorError:
+            return stepped(ALL_ROUND)
+
+    def _driven(
+        self, rest: ShipAtRest, wind: Array, drift: Array, sector: Sector = ALL_ROUND
+    ) -> SlowShip:
         """Put together what steps it, under wind and drift over time."""
         ship, of, inertia = self.ship, self.ship.of, self.ship.inertia
         critical = (of.surge_damping, of.sway_damping, of.yaw_damping)
@@ -306,17 +328,17 @@ class MooredShip:
             turns=bool(self.system.turns),
             wind=np.ascontiguousarray(wind),
             drift=drift,
+            first=sector.first,
         )
 
-    def _steady(self, waves: Waves, rest: ShipAtRest, samples: int) -> SlowShip:
-        """Put it together under the mean weather."""
-        mean = np.einsum("khi,h->ki", _drift_all_round(self.ship, waves), waves.amplitude**2)
-        drift = np.repeat(mean[np.newaxis], samples, axis=0)
-        return self._driven(rest, np.repeat([self.ship.wind], samples, axis=0), drift)
+    def _steady(self, waves: Waves, rest: ShipAtRest) -> SlowShip:
+        """Put it together under the mean weather: two samples, alike, stand for all."""
+        drift = np.repeat(drift_all_round(self.ship, waves)[np.newaxis], 2, axis=0)
+        return self._driven(rest, np.repeat([self.ship.wind], 2, axis=0), drift)
 
     def mode(self, waves: Waves, rest: ShipAtRest) -> SwingMode:
         """Find the motion in the mean weather, linearised, that dies away the slowest, or grows."""
-        return swing_mode(linearised(self._steady(waves, rest, 2), self._arrangement, rest.place))
+        return swing_mode(linearised(self._steady(waves, rest), self._arrangement, rest.place))
 
     def still_tension(self, path: Array) -> Array:
         """Give the tensions of every line along slow motion (n, 3): (n, lines, 2), N."""
@@ -326,7 +348,7 @@ class MooredShip:
     def swing(self, waves: Waves, rest: ShipAtRest, duration: float) -> Array:
         """Step it in the mean weather alone from a degree off where it rests: the state, (n, 6)."""
         samples = math.ceil(duration / SLOW_STEP) + 1
-        return self._stepped(self._steady(waves, rest, samples), rest, samples)
+        return self._stepped(self._steady(waves, rest), rest, samples)
 
     def _stepped(
         self,
@@ -353,6 +375,8 @@ class MooredShip:
         done, wrong = compiled(step_slowly, work)(
             step, slow, self._arrangement, self._tables, lines, np.zeros((5, 6)), path
         )
+        if wrong == BEYOND:
+            raise _LeavesSectorError
         if wrong >= 0:
             raise _out_of_reach(wrong, done * step)
         return path
@@ -373,7 +397,7 @@ class MooredShip:
         raos, reference, crest = self.raos
         k = wave_numbers_of(waves, self.ship.depth)
         yaws = slow[:, 2]
-        count = max(2, math.ceil((yaws.max() - yaws.min()) / (_TURN / _HEADINGS)) + 1)
+        count = max(2, math.ceil((yaws.max() - yaws.min()) / (_TURN / HEADINGS)) + 1)
         grid = np.linspace(yaws.min(), yaws.max() + _SAME, count)
         answers = raos.at("response", waves.omega, waves.direction - grid[:, np.newaxis])
         turned = np.exp(1j * grid) * complex(*crest)
@@ -385,10 +409,14 @@ class MooredShip:
         place = (yaws - grid[0]) / (grid[1] - grid[0])
         left = np.minimum(place.astype(int), count - 2)
         part = (place - left)[:, np.newaxis]
-        for at, summed in _summed(waves, time, sized):
-            found = summed.reshape(-1, count, 6)
-            rows = np.arange(found.shape[0])
-            below, above = found[rows, left[at]], found[rows, left[at] + 1]
+
+        def columns(at: slice) -> slice:
+            return slice(6 * int(left[at].min()), 6 * (int(left[at].max()) + 2))
+
+        for at, summed in summed_waves(waves, time, sized, columns):
+            found = summed.reshape(summed.shape[0], -1, 6)
+            rows, own = np.arange(found.shape[0]), left[at] - left[at].min()
+            below, above = found[rows, own], found[rows, own + 1]
             six[at] = (1.0 - part[at]) * below + part[at] * above
         cosine, sine = np.cos(yaws), np.sin(yaws)
 
@@ -429,6 +457,10 @@ class MooredShip:
         return out
 
 
+class _LeavesSectorError(Exception):
+    """The ship turns beyond the headings of which her drift was summed."""
+
+
 def _with_means(samples: Array) -> Array:
     """Put the mean of two samples between them: of what is taken as straight from one to the next.
 
@@ -438,100 +470,6 @@ def _with_means(samples: Array) -> Array:
     out[::2] = samples
     out[1::2] = 0.5 * (samples[:-1] + samples[1:])
     return out
-
-
-def wave_numbers_of(waves: Waves, depth: float) -> Array:
-    """Wave number of each wave in water of a depth, m; 1/m."""
-    return wave_numbers(waves.omega, depth)
-
-
-def _summed(waves: Waves, time: Array, sized: Array) -> Iterator[tuple[slice, Array]]:
-    """Yield real parts of sums over waves of exp(-i omega t) times columns, some times at once.
-
-    `sized` (waves, n) is complex. The times are evenly spaced: later ones are the first ones turned
-    on, so that sines and cosines of these alone are taken.
-    """
-    angle = np.outer(time[:_CHUNK] - time[0], waves.omega)
-    turn = np.hstack([np.cos(angle), np.sin(angle)])
-    for start in range(0, time.size, _CHUNK):
-        on = np.exp(-1j * waves.omega * time[start])[:, np.newaxis] * sized
-        at = slice(start, min(start + _CHUNK, time.size))
-        yield at, turn[: at.stop - start] @ np.vstack([on.real, on.imag])
-
-
-@lru_cache(maxsize=16)
-def _drift_all_round(ship: ShipInWeather, waves: Waves) -> Array:
-    """Mean drift of each wave over the square of its amplitude, (headings, waves, 3)."""
-    headings = np.arange(_HEADINGS, dtype=np.float64) * (_TURN / _HEADINGS)
-    return ship.drift(waves, wave_numbers_of(waves, ship.depth), headings)
-
-
-def _mean_drift(ship: ShipInWeather, waves: Waves) -> Callable[[float], Array]:
-    """Give the mean drift of all waves by the ship's heading."""
-    mean = np.einsum("khi,h->ki", _drift_all_round(ship, waves), waves.amplitude**2)
-
-    def drift(heading: float) -> Array:
-        place = heading / _TURN % 1.0 * _HEADINGS
-        left = int(place) % _HEADINGS
-        part = place - int(place)
-        return np.asarray((1.0 - part) * mean[left] + part * mean[(left + 1) % _HEADINGS])
-
-    return drift
-
-
-@lru_cache(maxsize=64)
-def _headings(ship: ShipInWeather, waves: Waves) -> tuple[float, ...] | None:
-    """List headings at which a turn of a ship that turns freely is turned back; the firmest first.
-
-    None where nothing turns it.
-    """
-    drift, count = _mean_drift(ship, waves), 10 * _HEADINGS
-
-    def turned(heading: float) -> float:
-        return float(ship.steady(heading, drift(heading))[2])
-
-    # Off the round degrees: a root on a sample would be one of rounding.
-    at = [-math.pi + (k - 0.3819660113) * _TURN / count for k in range(count + 1)]
-    moment = [turned(each) for each in at]
-    if not any(moment):
-        return None
-    stable = []
-    for k in range(count):
-        if moment[k] > 0.0 >= moment[k + 1]:
-            low, high = at[k], at[k + 1]
-            for _ in range(_ROUNDS):
-                middle = 0.5 * (low + high)
-                low, high = (middle, high) if turned(middle) > 0.0 else (low, middle)
-            heading = math.remainder(0.5 * (low + high), _TURN)
-            stable.append((moment[k] - moment[k + 1], heading))
-    return tuple(heading for _, heading in sorted(stable, reverse=True))
-
-
-def _grown(samples: int, ramp: float) -> Array:
-    """Part of what varies that has grown at each sample of slow motion; the ramp in s."""
-    time = SLOW_STEP * np.arange(samples, dtype=np.float64)
-    share = np.ones(samples) if ramp == 0.0 else np.clip(time / ramp, 0.0, 1.0)
-    return np.asarray(share * share * (3.0 - 2.0 * share))
-
-
-@lru_cache(maxsize=_SERIES)
-def _drift_series(ship: ShipInWeather, waves: Waves, samples: int, ramp: float) -> Array:
-    """Slow drift over time and heading, (n, headings, 3): mean, and what varies as it grows.
-
-    Whatever holds the ship it is the same: lines of a search share it.
-    """
-    of, grown = _drift_all_round(ship, waves), _grown(samples, ramp)
-    time = SLOW_STEP * np.arange(samples, dtype=np.float64)
-    phased = waves.amplitude * np.exp(1j * waves.phase)
-    sized = (of * phased[:, np.newaxis]).transpose(1, 0, 2).reshape(waves.omega.size, -1)
-    mean = np.einsum("khi,h->ki", of, waves.amplitude**2).ravel()
-    out = np.empty((samples, mean.size))
-    parts = np.column_stack([sized, phased])
-    for at, summed in _summed(waves, time, np.hstack([parts, -1j * parts])):
-        real, imaginary = np.hsplit(summed, 2)
-        both = real[:, :-1] * real[:, -1:] + imaginary[:, :-1] * imaginary[:, -1:]
-        out[at] = mean + grown[at, np.newaxis] * (both - mean)
-    return out.reshape(samples, _HEADINGS, 3)
 
 
 def sample_step(waves: Waves) -> float:

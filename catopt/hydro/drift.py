@@ -211,7 +211,11 @@ class _InWaves:
         self.directions = max(_ALL_ROUND, math.ceil(3.0 * long))
         angle = np.arange(self.directions) * (2.0 * math.pi / self.directions)
         self.cos, self.sin = np.cos(angle), np.sin(angle)
-        self.leaving = np.exp(-1j * self.k * np.outer(self.cos, self.x)) * self.weight
+        # Two directions of one cosine, to starboard and to port, share a row.
+        each = np.arange(self.directions)
+        self.row = np.minimum(each, self.directions - each)
+        rows = self.cos[: self.directions // 2 + 1]
+        self.leaving = np.exp(-1j * self.k * np.outer(rows, self.x)) * self.weight
 
     def drift(self, heading: float) -> tuple[float, float, float]:
         """Surge, sway and yaw; waves come from starboard here, from port they are mirrored."""
@@ -278,8 +282,10 @@ class _Meeting:
         odd = self.odd * 0.5 * (phases[1] + 1.0) * self.crest
         odd = odd + waves[SWAY] * (self.sway + of.x * self.yaw) + waves[TILT] * self.tilt
         starboard = -of.sin  # part of a dipole that a direction sees
-        sent = of.leaving @ even + starboard * (of.leaving @ odd)
-        moment = of.leaving @ (of.x * even) + starboard * (of.leaving @ (of.x * odd))
+        parts = np.column_stack([even, odd, of.x * even, of.x * odd])
+        summed = (of.leaving @ parts)[of.row]
+        sent = summed[:, 0] + starboard * summed[:, 1]
+        moment = summed[:, 2] + starboard * summed[:, 3]
         unit = 0.25 * hull.density * hull.gravity * depth_factor(of.k, hull.depth)
         unit *= of.k / of.directions
         energy = np.abs(sent) ** 2

@@ -291,6 +291,7 @@ class JudgedLine:
     sinker: SinkerSize | None = None
     checks: CheckReport | None = None
     seas: tuple[TightestSea, ...] = ()
+    done: tuple[ShipState, ...] = ()
 
     @property
     def factor(self) -> float:

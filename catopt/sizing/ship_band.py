@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
 
 from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.loads.ship_ranges import RANGES, at_the_end, in_the_middle
@@ -15,10 +16,10 @@ from catopt.verify.two_scales import moored_ship, verify_ship
 from catopt.words import Message
 
 
-def band_of(case: Case) -> Band:
+def band_of(case: Case, **on_lines: Any) -> Band:
     """Run a case of a ship with each input at the ends of its range, and all in the middle.
 
-    Seas and gusts are those of the case throughout.
+    Seas and gusts are those of the case throughout; lines as of `verify_ship`.
     """
     floater = case.floater
     assert floater is not None
@@ -27,7 +28,8 @@ def band_of(case: Case) -> Band:
 
     def tension(of: ShipAfloat) -> float | None:
         try:
-            found = verify_ship(replace(case, floater=replace(floater, ship=of)))
+            own = replace(case, floater=replace(floater, ship=of))
+            found = verify_ship(own, proven=False, **on_lines)
         except (NoAnswerError, NotConvergedError):
             return None
         return max(each.judged("most-probable") for each in found.lines)

@@ -10,61 +10,41 @@ What holds the line is sized for its runs.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from functools import partial
 from operator import itemgetter
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple
 
 from catopt.checks.case import check_case
 from catopt.checks.profiles import profiles_of
-from catopt.checks.result import CheckReport, CheckResult
-from catopt.design.neighbours import NoFeasibleDesignError
-from catopt.errors import NoAnswerError, NotConvergedError, refused
+from catopt.errors import NoAnswerError, refused
 from catopt.loads.drag_anchor import DragAnchorSize
-from catopt.loads.environment import Headings
 from catopt.loads.sinker import SinkerSize
-from catopt.model import Case, Line, Segment
+from catopt.model import Line, Segment
 from catopt.progress import expect
-from catopt.sizing.answer import worn_name
 from catopt.sizing.in_motion import (
     Counted,
     InMotion,
     LineTried,
     NoLineInMotionError,
     RunsAfloat,
-    Sea,
-    in_sea,
-    sea_of,
-    tightest_seas,
 )
 from catopt.sizing.line_choice import sold
 from catopt.sizing.motion_judged import (
     JudgedLine,
-    ShipLost,
-    ShipRun,
-    ShipState,
-    in_load_case,
-    offset_of_lost,
     size_of,
     storm_of,
 )
-from catopt.sizing.pattern import DragGround, Pattern
-from catopt.sizing.quick import NEAR, lines_of
+from catopt.sizing.pattern import Pattern
+from catopt.sizing.quick import NEAR
 from catopt.sizing.settle import ConvergedSizing, best_of
-from catopt.sizing.ship_afloat import MOTION_CODE, runs_afloat, ship_afloat
+from catopt.sizing.ship_afloat import MOTION_CODE, runs_afloat
 from catopt.sizing.ship_band import band_of, basis_of
+from catopt.sizing.ship_runs import Around, Settle, ShipRuns
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.ties import largest
 from catopt.verify.convergence_check import LIMIT
-from catopt.verify.ship_result import few_cycles, slow_cycles
 from catopt.verify.two_scales import (
-    change_at_half_step,
-    check_hanging,
-    hardest_run,
-    run_without,
-    verify_ship,
     with_proof,
 )
 from catopt.words import Message
@@ -84,9 +64,6 @@ _MOST_SCOPES: Final = (16.0, 24.0)
 _SAME_SIZE: Final = 5e-4
 _LINES: Final = 8
 """Lines that a search runs, about: for its announcement."""
-
-Settle = Callable[[TankerRequest], ConvergedSizing]
-Around = Callable[[TankerRequest, ConvergedSizing], Pattern | None]
 
 
 class ShipMoved(NamedTuple):
@@ -121,22 +98,16 @@ def search_ship_in_motion(
     if not how.quick:
         expect(Message("sizing.running_ship"), _HOUR * hours)
     found = _Search(request, how, start, settle, around)
-    laid = request.line.looks_for == "practice" and request.lines == 1
-    passing = found.laid(start.point.line) if laid else None
-    if passing is not None:
-        return _moved(request, how, found, passing)
-    if laid:
-        found.prefer_lightest()
-    passing = found.passing(start.point.line)
-    if passing is None:
+    chosen = found.recommended(start.point.line)
+    if chosen is None:
         every = found.judged.values()
         nearest = [each for each in every if each.tried.runs] or every
         raise NoLineInMotionError([(each.line, each.tried) for each in nearest], _counted(found))
-    return _moved(request, how, found, found.best(passing))
+    return _moved(request, how, found, chosen)
 
 
-class _Search:
-    """Lines that were tried."""
+class _Search(ShipRuns):
+    """Lines that are tried, and which is recommended."""
 
     def __init__(
         self,
@@ -146,29 +117,8 @@ class _Search:
         settle: Settle,
         around: Around,
     ) -> None:
-        self.request, self.how = request, how
-        self._settle, self._around = settle, around
-        self.judged: dict[Line, JudgedLine] = {}
-        self._settled: dict[Line, ConvergedSizing] = {}
-        # By load case and directions, with tables that their lines share.
-        self._ships: dict[tuple[str, Headings, bool], Any] = {}
-        self._run_on = lines_of(how, request.environment.sea.hs)
-        # The one that stopped the last line first.
-        outs = (True, False) if request.lines > 1 else (False,)
-        wears = start.posed.case.service is not None
+        super().__init__(request, how, start, settle, around)
         self.own: LineTried | None = None
-        env = request.environment
-        # A current turns a ship the more, the less wind there is to hold her head to it.
-        lulls = request.lines == 1 and env.current.speed > 0.0 and env.wind.speed > 0.0
-        ways = [(False, False), *([(True, False)] * wears), *([(False, True)] * lulls)]
-        self._order = [
-            ShipState(each.load_case, sea, directions, out, worn, lull)
-            for worn, lull in ways
-            for out in outs
-            for directions in request.weathervaning.directions
-            for sea in how.seas(env.sea.hs, env.sea.period)
-            for each in start.posed.loads
-        ]
         design = start.posed.case.design
         assert design is not None
         self.lengths = design.segments[0].lengths
@@ -177,7 +127,6 @@ class _Search:
         is_for_motion = all(each.is_for_motion for each in profiles_of(own.checks))
         code = own.code if is_for_motion else MOTION_CODE
         self._line = replace(own, code=code, prefer=own.looks_for)
-        self._without_allowance = replace(request, line=replace(own, dynamic_factor=1.0))
 
     def prefer_lightest(self) -> None:
         """Look for the lightest from now on: where nothing that is laid holds."""
@@ -185,6 +134,37 @@ class _Search:
         self._line = self._line.by("lightest")
 
     # ------------------------------------------------------------------ lines
+
+    def recommended(self, line: Line) -> JudgedLine | None:
+        """Find a line that passes in every load case, starting from the one at rest; None: none.
+
+        Lines are compared in those load cases that have stopped one, or are hardest on the first
+        that passes in all. What is found is run in the others, too; if one of these stops it,
+        lines are compared in that as well.
+        """
+        if self.request.line.looks_for == "practice" and self.request.lines == 1:
+            while (passing := self.laid(line)) is not None:
+                if self.whole(passing).tried.passes:
+                    return self.judged[passing.line]
+            self.prefer_lightest()
+        found = self.passing(line)
+        while found is not None:
+            whole = self.whole(self.best(found))
+            if whole.tried.passes:
+                return whole
+            found = self._passing_still() or self.passing(whole.line)
+        return None
+
+    def _passing_still(self) -> JudgedLine | None:
+        """Find the preferred of the lines that passed and do so in what stops one by now."""
+        lines = [each.line for each in self.judged.values() if each.tried.passes]
+        while lines:
+            points = [self.at_rest(each).point for each in lines]
+            at = points.index(best_of(points, self.request.line))
+            judged = self.tried(lines.pop(at))
+            if judged.tried.passes:
+                return judged
+        return None
 
     def laid(self, line: Line) -> JudgedLine | None:
         """Find the line that would be laid: no thinner than her own cable, by rule as short.
@@ -234,7 +214,7 @@ class _Search:
         """Size lines for what the runs of the one before ask for, until one passes its own."""
         factor = 1.0
         while True:
-            judged = self.tried(line)
+            judged = self.whole(self.tried(line))
             if judged.tried.passes:
                 return judged
             if factor >= _MOST_FACTOR:
@@ -261,7 +241,7 @@ class _Search:
         at, leap = 0, 1
         while lengths:
             own = replace(thickest, length=lengths[at])
-            judged = self.tried(replace(line, segments=(own,)))
+            judged = self.whole(self.tried(replace(line, segments=(own,))))
             if judged.tried.passes or at == len(lengths) - 1:
                 return judged if judged.tried.passes else None
             at, leap = min(at + leap, len(lengths) - 1), 2 * leap
@@ -369,175 +349,10 @@ class _Search:
         """Whether a line passes at rest and is preferred."""
         assert than.settled is not None
         try:
-            own = self._at_rest(line).point
+            own = self.at_rest(line).point
         except NoAnswerError:
             return False
         return best_of([own, than.settled.point], self.request.line) is own
-
-    # ------------------------------------------------------------------ one line
-
-    def tried(self, line: Line) -> JudgedLine:
-        """Run a line in every load case; those after one that fails are left out."""
-        if line not in self.judged:
-            self.judged[line] = self._run(line)
-        return self.judged[line]
-
-    def _at_rest(self, line: Line) -> ConvergedSizing:
-        """Settle a line, once, without an allowance for motion; NoAnswerError where it fails."""
-        if line not in self._settled:
-            (segment,), weights = line.segments, line.point_loads
-            assert segment.nominal_diameter is not None
-            only = self.request.line.only(segment.component, segment.nominal_diameter)
-            own = replace(
-                self.request,
-                line=replace(only, dynamic_factor=1.0, length=segment.length),
-                clump_masses=tuple(each.mass for each in weights if each.mass is not None),
-                clump_places=tuple(each.position for each in weights),
-            )
-            self._settled[line] = self._settle(own)
-        return self._settled[line]
-
-    def _run(self, line: Line) -> JudgedLine:
-        try:
-            settled = self._at_rest(line)
-            around = self._around(self._without_allowance, settled)
-        except NoFeasibleDesignError as error:
-            failing = () if error.near_miss is None else error.near_miss.failing
-            reason = "" if failing else error.message
-            return JudgedLine(LineTried.of(line, 0, failing, reason), line)
-        except NoAnswerError as error:
-            return JudgedLine(LineTried.of(line, 0, (), error.message), line)
-        judged = JudgedLine(LineTried.of(line, 0, ()), line, settled, around)
-        for state in tuple(self._order):
-            try:
-                if state.line_out:
-                    assert around is not None
-                    lost = self._without_line(state, settled, around)
-                    judged = self._held(replace(judged, lost=(*judged.lost, lost)))
-                else:
-                    run = self._in_state(state, settled, around)
-                    judged = self._held(replace(judged, runs=(*judged.runs, run)))
-            except (NoAnswerError, NotConvergedError) as error:
-                count = judged.tried.runs + self.how.seeds
-                judged = replace(judged, tried=LineTried.of(line, count, (), error.message))
-            if not judged.tried.passes:
-                self._order.remove(state)
-                self._order.insert(0, state)
-                break
-        return judged
-
-    def _in_state(
-        self, state: ShipState, settled: ConvergedSizing, around: Pattern | None
-    ) -> ShipRun:
-        name, said = state.load_case, self._said(state)
-        case = self._afloat(state, settled, around)
-        weather = (name, state.directions, state.lull)
-        ship, judged = self._ships.get(weather), self._as_judged(case)
-        found = verify_ship(judged, ship=ship, proven=False, **self._run_on)
-        ship = self._ships[weather] = found.moored.ship
-        offset = max(found.offset.judged, offset_of_lost(found.lost))
-        if around is None:
-            at_rest, without = dict(settled.point.checks.solutions)[name], 0.0
-        else:
-            rest = around.state_in(name)
-            lines = (each.solution for each in rest.solution.lines)
-            at_rest = largest(list(lines), lambda each: each.fairlead.tension)
-            without = rest.line_out.line_force
-        lost = ShipLost(said, case, found.lost, without, offset)
-        return ShipRun(
-            said,
-            case,
-            found.lines,
-            found.hanging,
-            found.most_loaded,
-            at_rest,
-            lost,
-            state.worn,
-            slow_cycles(found.runs, found.rest),
-            partial(change_at_half_step, case, hardest_run(found.runs), ship=ship, **self._run_on),
-        )
-
-    def _without_line(
-        self, state: ShipState, settled: ConvergedSizing, around: Pattern
-    ) -> ShipLost:
-        """Run it without line 1, in weather from the side that is then hardest at rest."""
-        name, said = state.load_case, self._said(state)
-        case = self._afloat(state, settled, around)
-        weather = (name, state.directions, state.lull)
-        ship = self._ships.get(weather)
-        found, moored = run_without(self._as_judged(case), 1, ship=ship, **self._run_on)
-        self._ships[weather] = moored.ship
-        without = around.state_in(name).line_out.line_force
-        return ShipLost(said, case, (found,), without, offset_of_lost((found,)))
-
-    def _said(self, state: ShipState) -> str:
-        """Name a load case with its sea and directions, where there are several."""
-        name = worn_name(state.load_case) if state.worn else state.load_case
-        if state.lull:
-            name = Message("sizing.in_a_lull", load_case=name)
-        said = in_sea(name, self.how, state.sea)
-        if len(self.request.weathervaning.directions) == 1:
-            return said
-        angles = {key: math.degrees(angle) for key, angle in vars(state.directions).items()}
-        return Message("sizing.from_directions", load_case=said, **angles)
-
-    def _afloat(self, state: ShipState, settled: ConvergedSizing, around: Pattern | None) -> Case:
-        case = ship_afloat(self.request, settled, around, **state._asdict())
-        assert case is not None
-        return case
-
-    def _as_judged(self, case: Case) -> Case:
-        assert case.dynamics is not None
-        return replace(case, dynamics=replace(case.dynamics, judged_by=self.how.judged_by))
-
-    def _held(self, judged: JudgedLine) -> JudgedLine:
-        """Size what holds the line for its runs, and check it; NoAnswerError: nothing does."""
-        settled, ground = judged.settled, self.request.ground
-        assert settled is not None
-        anchor, size, sinker = settled.point.anchor, None, None
-        every = (*judged.lost, *(each.lost for each in judged.runs))
-        hanging = [solution for each in judged.runs for solution in each.every]
-        hanging += [solution for of in every for each in of.lost for solution in each.hanging]
-        pulls = [solution.anchor for solution in hanging]
-        if isinstance(ground, DragGround):
-            pull = max((each.horizontal_force for each in pulls), default=0.0)
-            least = max(each.horizontal_force for each in settled.posed.loads)
-            size = ground.sized(max(pull, self.request.line.allowance * least / self.request.lines))
-            anchor = ground.held(size)
-        else:
-            sinker = ground.sized_for(pulls, self.request.environment.water_density)
-            if anchor is not None and sinker.mass > (anchor.mass or 0.0):
-                weight = sinker.submerged_weight
-                anchor = replace(anchor, mass=sinker.mass, submerged_weight=weight)
-        results: list[CheckResult] = []
-        of_sea: list[Sea] = []
-        warnings: dict[str, None] = {}
-        reports = (
-            *((each.lost, each.every) for each in judged.runs),
-            *((each, ()) for each in judged.lost),
-        )
-        for of, intact in reports:
-            report = check_hanging(replace(of.case, anchor=anchor), intact, of.lost)
-            results += (in_load_case(one, of.load_case) for one in report.results)
-            of_sea += [sea_of(of.case)] * len(report.results)
-            warnings |= dict.fromkeys(report.warnings)
-            whole = of.case
-        failing = sorted((e for e in results if not e.passes), key=lambda check: -check.exceedance)
-        sets = len(judged.runs) + sum(len(each.lost) for each in every)
-        tried = LineTried.of(judged.line, sets * self.how.seeds, tuple(failing))
-        if judged.runs:  # of the load case that has seen the fewest
-            warnings |= dict.fromkeys(few_cycles(min(each.cycles for each in judged.runs)))
-        checks = CheckReport(
-            settled.case.title,
-            tuple(results),
-            (),
-            tuple(warnings),
-            case=whole,
-            is_in_motion=True,
-        )
-        held = replace(judged, anchor=anchor, drag_anchor=size, sinker=sinker)
-        seas = tightest_seas(zip(results, of_sea, strict=True)) if self.how.periods else ()
-        return replace(held, tried=tried, checks=checks, seas=seas)
 
 
 # ------------------------------------------------------------------ the answer
@@ -580,12 +395,12 @@ def _moved(
             request.line.allowance,
             _counted(found),
             tuple(each.tried for each in found.judged.values()),
-            load_cases=len({(each.load_case, each.worn, each.lull) for each in found._order}),
+            load_cases=len({(each.load_case, each.worn, each.lull) for each in found.order}),
             directions=len(request.weathervaning.directions),
             seas=chosen.seas,
             less=tuple(found.failing_below(chosen.line)),
             basis=basis_of(case),
-            band=band_of(case),
+            band=band_of(case, **found.run_on),
             own=found.own,
             proof="converged" if change.size <= LIMIT else "not converged",
             changes=(change,),

@@ -15,9 +15,9 @@ from catopt.catenary.solution import Solution
 from catopt.checks.result import CheckReport, ChecksInMotion
 from catopt.fem.extremes import Extreme
 from catopt.floater.scales import Scales, scales_of
-from catopt.floater.ship import ShipInWeather
+from catopt.floater.ship_in_weather import ShipInWeather
+from catopt.floater.slow_drift import SLOW_STEP
 from catopt.floater.two_scales import (
-    SLOW_STEP,
     MooredShip,
     ShipAtRest,
     ShipHistory,

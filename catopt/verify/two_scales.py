@@ -31,11 +31,11 @@ from catopt.checks.system import (
 from catopt.errors import InputError, NoAnswerError, Problem, refused
 from catopt.fem.extremes import weibull_tail
 from catopt.floater.scales import scales_of
-from catopt.floater.ship import ShipInWeather
+from catopt.floater.ship_in_weather import ShipInWeather
+from catopt.floater.slow_drift import SLOW_STEP
 from catopt.floater.stability import period_of
 from catopt.floater.tabulated import TabulatedShip
 from catopt.floater.two_scales import (
-    SLOW_STEP,
     MooredShip,
     ShipAtRest,
     ShipHistory,

@@ -140,6 +140,16 @@ _FILLED: Mapping[Language, _Filled] = MappingProxyType(
 """A comma is the decimal sign of many other languages: beside a point it would mislead."""
 
 
+def _filled(key: str, values: Mapping[str, object]) -> str:
+    return _FILLED["en"].vformat(text(key, "en", values), (), values)
+
+
+@cache
+def _bare(key: str) -> str:
+    """Fill a text without holes, once: tables of loads name each number at every angle."""
+    return _filled(key, {})
+
+
 class Message(str):
     """A sentence by its key and values; as a `str` it is the English one.
 
@@ -165,7 +175,7 @@ class Message(str):
 
     def __new__(cls, key: str, /, **values: object) -> Message:
         """Fill the English text."""
-        english = _FILLED["en"].vformat(text(key, "en", values), (), values)
+        english = _filled(key, values) if values else _bare(key)
         return cls.made_of(english, key=key, values=values)
 
     @classmethod

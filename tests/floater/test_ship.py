@@ -11,17 +11,15 @@ import pytest
 
 from catopt import Line, Segment, System, solve_system
 from catopt.errors import InputError
-from catopt.floater import two_scales
+from catopt.floater import slow_drift, two_scales
 from catopt.floater.line_tables import no_tables
 from catopt.floater.scales import Scales, scales_of
-from catopt.floater.ship import ShipInWeather, SlowShip, rates
-from catopt.floater.ship import turn as turn_of
+from catopt.floater.ship_in_weather import ShipInWeather
+from catopt.floater.slow_drift import drift_series, wave_numbers_of
+from catopt.floater.slow_ship import HEADINGS, SlowShip, rates
+from catopt.floater.slow_ship import turn as turn_of
 from catopt.floater.stability import linearised, period_of, swing_mode
-from catopt.floater.two_scales import (
-    MooredShip,
-    _drift_series,
-    wave_numbers_of,
-)
+from catopt.floater.two_scales import MooredShip
 from catopt.loads import (
     SeaState,
     SurfaceCurrent,
@@ -173,7 +171,7 @@ def test_newman_of_two_waves_by_hand() -> None:
     k = wave_numbers_of(waves, DEPTH)
     first, second = moored.ship.drift(waves, k, np.zeros(1))[0, :, 0].tolist()
     time = np.arange(0.0, 4001.0)
-    found = _drift_series(moored.ship, waves, time.size, 0.0)[:, 0, 0]
+    found = drift_series(moored.ship, waves, time.size, 0.0)[:, 0, 0]
     expected = 1.5**2 * first + 0.8**2 * second
     expected = expected + 1.2 * (first + second) * np.cos(-0.2 * time + 0.8)
     assert found == pytest.approx(expected, rel=1e-9)
@@ -251,7 +249,8 @@ def unmoved(**own: Any) -> SlowShip:
     slow = SlowShip(
         inverse=np.linalg.inv(inertia), mass=m, added=(a, a), lever=lever, damping=np.zeros(3),
         turn_sway=-a, turn_yaw=0.0, crossflow=0.0, half=95.0, wind_table=none, current_table=none,
-        current_x=0.0, current_y=0.0, turns=False, wind=np.zeros((2, 2)), drift=np.zeros((2, 4, 3)),
+        current_x=0.0, current_y=0.0, turns=False, wind=np.zeros((2, 2)),
+        drift=np.zeros((2, HEADINGS, 3)), first=0,
     )  # fmt: skip
     return slow._replace(**own)
 
@@ -364,14 +363,14 @@ def test_a_swing_grows_at_the_rate_of_the_linearised_ship() -> None:
     system = System.around(line, azimuths=[math.pi], anchor_radius=850.0, fairlead_height=DEPTH)
     moored = MooredShip(system, ship(of, current=(2.5, 0.0)))
     rest = moored.at_rest(calm())
-    slow = moored._steady(calm(), rest, 2)
+    slow = moored._steady(calm(), rest)
     mode = swing_mode(linearised(slow, moored._arrangement, rest.place))
     assert mode.period is not None
     assert mode == moored.mode(calm(), rest)
     cycle = int(mode.period)
     start = np.array([*rest.place, 0.0, 0.0, 0.0])
     start[2] += 1e-8
-    path = moored._stepped(moored._steady(calm(), rest, 4 * cycle), rest, 4 * cycle, start)
+    path = moored._stepped(moored._steady(calm(), rest), rest, 4 * cycle, start)
     yaw = path[:, 2] - rest.place[2]
     early = int(np.abs(yaw[2 * cycle : 3 * cycle]).argmax()) + 2 * cycle
     late = np.interp(early + mode.period, np.arange(yaw.size), yaw)
@@ -395,12 +394,17 @@ def test_moored_by_the_stern_it_lies_stern_on() -> None:
         assert rest.place[2] == pytest.approx(expected, abs=1e-3)
 
 
+def of_step(step: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    for module in (two_scales, slow_drift):
+        monkeypatch.setattr(module, "SLOW_STEP", step)
+
+
 def test_slow_motion_is_of_second_order_in_its_step(monkeypatch: pytest.MonkeyPatch) -> None:
     """The drift is linear between samples: a quarter of the difference for half the step."""
     waves = random_waves(jonswap(6.0, 11.0), 30, np.random.default_rng(2), direction=2.6)
     found = {}
     for step in (2.0, 1.0, 0.5):
-        monkeypatch.setattr(two_scales, "SLOW_STEP", step)
+        of_step(step, monkeypatch)
         moored = MooredShip(spread(), ship())
         history = moored.run(waves, 200.0, 0.0, np.random.default_rng(1), step=10.0)
         found[step] = history.slow[:, :2]
@@ -413,7 +417,7 @@ def test_finer_is_half_the_step_under_the_same_loads(monkeypatch: pytest.MonkeyP
     """Of one wave the drift is steady: there nothing but the step is another."""
     moored, waves = MooredShip(spread(), ship()), calm(0.3)
     finer = moored.run(waves, 200.0, 0.0, np.random.default_rng(1), finer=True)
-    monkeypatch.setattr(two_scales, "SLOW_STEP", 0.5)
+    of_step(0.5, monkeypatch)
     halved = moored.run(waves, 200.0, 0.0, np.random.default_rng(1))
     assert finer.course == pytest.approx(halved.course[::2], abs=1e-12)
     assert finer.time[1] == pytest.approx(halved.time[1] / 2)
