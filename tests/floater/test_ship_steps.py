@@ -15,8 +15,11 @@ import catopt
 from catopt import Line, Segment, System, solve_system
 from catopt.errors import NoEquilibriumError
 from catopt.floater.line_tables import no_tables, tables_of
-from catopt.floater.ship import (
-    ShipInWeather,
+from catopt.floater.ship_in_weather import ShipInWeather
+from catopt.floater.slow_drift import SLOW_STEP, grown_share, mean_drift
+from catopt.floater.slow_ship import (
+    BEYOND,
+    HEADINGS,
     SlowShip,
     blow,
     hang_lines,
@@ -26,10 +29,7 @@ from catopt.floater.ship import (
 )
 from catopt.floater.tabulated import TabulatedShip
 from catopt.floater.two_scales import (
-    SLOW_STEP,
     MooredShip,
-    _grown,
-    _mean_drift,
     _with_means,
     sample_step,
     slow_at,
@@ -76,7 +76,7 @@ def slow_ship(**own: Any) -> SlowShip:
         inverse=np.diag([1.0 / 7e7, 1.0 / 9e7, 1.0 / 2e11]), mass=6e7, added=(1e7, 3e7), lever=0.0,
         damping=np.zeros(3), turn_sway=0.0, turn_yaw=0.0, crossflow=0.0, half=95.0, wind_table=none,
         current_table=none, current_x=0.0, current_y=0.0, turns=True, wind=np.zeros((3, 2)),
-        drift=np.zeros((3, 4, 3)),
+        drift=np.zeros((3, HEADINGS, 3)), first=0,
     )  # fmt: skip
     return ship._replace(**own)
 
@@ -94,15 +94,30 @@ def accelerated(ship: SlowShip, at: float, state: list[float], radius: float = 0
 
 def test_drift_is_even_between_samples_and_between_headings() -> None:
     """At a quarter between two samples, and a third between the second and the third heading."""
-    drift = np.arange(36.0).reshape(3, 4, 3) ** 2
-    state = [0.0, 0.0, 0.5 * math.pi * (1.0 + 1.0 / 3.0), 0.0, 0.0, 0.0]
+    drift = np.arange(9.0 * HEADINGS).reshape(3, HEADINGS, 3) ** 2
+    state = [0.0, 0.0, 2.0 * math.pi / HEADINGS * (1.0 + 1.0 / 3.0), 0.0, 0.0, 0.0]
     now, then = (drift[n, 1] * 2.0 / 3.0 + drift[n, 2] / 3.0 for n in (1, 2))
     found = accelerated(slow_ship(drift=drift), 1.25, state)
     assert found == pytest.approx(0.75 * now + 0.25 * then, rel=1e-6)
     # The last heading is followed by the first, and the last sample stays at its end.
-    state[2] = -0.25 * math.pi
+    state[2] = -math.pi / HEADINGS
     found = accelerated(slow_ship(drift=drift), 2.0, state)
-    assert found == pytest.approx(0.5 * (drift[2, 3] + drift[2, 0]), rel=1e-6)
+    assert found == pytest.approx(0.5 * (drift[2, -1] + drift[2, 0]), rel=1e-6)
+
+
+def test_a_ship_that_leaves_the_headings_of_her_drift_is_told_of() -> None:
+    """Of headings 70, 71, 0 and 1 alone: from 350 deg up to 5 deg as with all of them."""
+    drift = np.arange(9.0 * HEADINGS).reshape(3, HEADINGS, 3) ** 2
+    part = slow_ship(drift=np.ascontiguousarray(drift[:, [70, 71, 0, 1]]), first=70)
+    lines, room, none = arranged(spread()), as_arrays(room_for(4)), as_arrays(no_tables())
+    out = np.empty(6)
+    for degrees in (-9.0, -1.0, 4.0):
+        state = [0.0, 0.0, math.radians(degrees), 0.0, 0.0, 0.0]
+        whole = accelerated(slow_ship(drift=drift), 0.5, state)
+        assert accelerated(part, 0.5, state) == pytest.approx(whole, rel=1e-9)
+    for degrees in (-11.0, 6.0):
+        state = [0.0, 0.0, math.radians(degrees), 0.0, 0.0, 0.0]
+        assert rates(0.5, np.array(state), part, lines, none, room, out) == BEYOND
 
 
 def test_wind_is_even_between_samples_and_blows_past_what_moves() -> None:
@@ -192,7 +207,7 @@ def test_steps_are_those_of_another_solver_of_equations() -> None:
     """Beside scipy's DOP853 to 1e-12: four steps of 1 s of a motion of minutes are at 1e-8."""
     lines, room, none = arranged(spread()), as_arrays(room_for(4)), as_arrays(no_tables())
     damping = np.array([1e6, 2e6, 5e9])
-    drift = np.zeros((5, 4, 3))
+    drift = np.zeros((5, HEADINGS, 3))
     drift[:, :, 0] = np.array([0.0, 3e5, 6e5, 9e5, 12e5])[:, np.newaxis]
     ship = slow_ship(damping=damping, crossflow=3e4, drift=drift, wind=np.zeros((5, 2)))
     path = np.zeros((5, 6))
@@ -290,7 +305,7 @@ def test_stiffness_at_rest_is_in_the_ships_axes() -> None:
     own = turn @ stiff @ turn.T
     assert rest.stiffness[:2] == pytest.approx((own[0, 0], own[1, 1]), rel=1e-5)
     # What turns her back: the weather's own moment by its heading.
-    drift = _mean_drift(slow.ship, regular_wave(0.01, 8.0))
+    drift = mean_drift(slow.ship, regular_wave(0.01, 8.0))
     moment = [
         slow.ship.steady(rest.place[2] + d, drift(rest.place[2] + d))[2] for d in (-1e-3, 1e-3)
     ]
@@ -313,9 +328,9 @@ def test_on_one_tabulated_line_she_lies_where_closed_form_has_her() -> None:
 def test_what_varies_grows_as_a_smooth_step() -> None:
     """3 s^2 - 2 s^3 of a ramp of 8 s, sampled each second; at once without one."""
     assert SLOW_STEP == 1.0
-    found = _grown(12, 8.0)
+    found = grown_share(12, 8.0)
     assert found[[0, 2, 4, 8, 11]] == pytest.approx([0.0, 0.15625, 0.5, 1.0, 1.0])
-    assert _grown(3, 0.0).tolist() == [1.0, 1.0, 1.0]
+    assert grown_share(3, 0.0).tolist() == [1.0, 1.0, 1.0]
 
 
 def test_samples_between_samples() -> None:
