@@ -23,7 +23,7 @@ from catopt.compile_jobs import compile_always
 from catopt.compiled import VARIABLE
 from catopt.model import Line, Segment, Site
 from catopt.model.network import LineBetween, MooredBody, Network, Point
-from catopt.mooring.held import without_load
+from catopt.mooring.fixed_body import without_load
 from catopt.mooring.many import solve_network_many
 from catopt.threads import environment
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from importlib import import_module
 
-from catopt import shown
+from catopt import display
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -127,7 +127,7 @@ def _as_screen(result: object) -> str:
     return "\n".join(line.text for line in card_lines(answer_of(result)))
 
 
-shown.renderers |= {
+display.renderers |= {
     "html": _as_html,
     "screen": _as_screen,
     "table": _as_table,

@@ -61,7 +61,7 @@ def _points() -> None:
     """Lines between points, with a joint and a body."""
     from catopt.model import Line, Segment, Site
     from catopt.model.network import LineBetween, MooredBody, Network, Point
-    from catopt.mooring.held import at_rest
+    from catopt.mooring.fixed_body import at_rest
 
     chain = Line((Segment(60.0, 500.0, EA=1e8),))
     places = [("west", -50.0, 0.0), ("east", 50.0, 0.0), ("north", 0.0, 50.0)]

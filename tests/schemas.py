@@ -30,17 +30,17 @@ from catopt.catenary.solution import Solution
 from catopt.checks.result import CheckReport, ChecksInBrief
 from catopt.cli.new import NewFile
 from catopt.design.result import DesignResult
-from catopt.export.exported import Exported
-from catopt.loads.held import AnchorHeld, SinkerHeld
+from catopt.export.export_result import Exported
+from catopt.loads.holding_table import AnchorHeld, SinkerHeld
 from catopt.loads.weathervane import ComparedLoads
 from catopt.model.kinds import OneOf, Size
 from catopt.mooring.case import AtLevel, SystemReport
 from catopt.mooring.network_out import NetworkOut
 from catopt.mooring.network_rest import NetworkReport
 from catopt.mooring.restoring import RestoringCurve, WatchCircle
-from catopt.notes.again import NoteAgain
 from catopt.notes.front_in_motion import FrontInMotion
-from catopt.notes.written import WrittenNote
+from catopt.notes.note_comparison import NoteAgain
+from catopt.notes.report_document import WrittenNote
 from catopt.records import From, Key, Matching, OrNull, Record, parts, unit_of
 from catopt.reproduce.items import Reproduction
 from catopt.sizing.result import Sizing

@@ -20,7 +20,7 @@ PACKAGE = Path(catopt.__file__).parent
 BASE = {
     "errors", "constants", "documents", "dimensions", "units",
     "quantities", "words", "tables",
-    "arrays", "compiled", "interrupt", "progress", "threads", "ties", "shown", "records",
+    "arrays", "compiled", "interrupt", "progress", "threads", "largest", "display", "records",
     "old_names",
 }  # fmt: skip
 SOLVING = BASE | {"model", "catenary"}
@@ -58,8 +58,8 @@ MAY_IMPORT: dict[str, set[str]] = {
     "interrupt": set(),
     "progress": {"words"},
     "threads": set(),
-    "ties": set(),
-    "shown": set(),
+    "largest": set(),
+    "display": set(),
     "records": {"_version"},
     "old_names": set(),
     "schemas": {"errors", "documents", "words"},
@@ -239,10 +239,10 @@ def test_a_planted_circle_is_caught(tmp_path: Path) -> None:
 
 
 LAID_OUT = BASE | {"model", "catalogue", "answers", "figures"}
-LAID_OUT -= {"arrays", "compiled", "interrupt", "progress", "ties"}
+LAID_OUT -= {"arrays", "compiled", "interrupt", "progress", "largest"}
 """All that runs to lay an answer out; results are read, and nothing is solved."""
 SAID = (
-    *("catopt.verify.motion_words.", "catopt.verify.compared."),
+    *("catopt.verify.motion_words.", "catopt.verify.comparison."),
     *("catopt.checks.verdict.", "catopt.checks.kinds.", "catopt.design.result."),
     *("catopt.loads.ship.SHORTEST", "catopt.verify.convergence_check.LIMIT"),
 )

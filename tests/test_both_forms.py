@@ -41,7 +41,7 @@ from catopt.fem.series import series_rows, series_values
 from catopt.floater import alone, two_scales  # noqa: F401 - before their `compiled` is watched
 from catopt.mooring import joints
 from catopt.mooring.batch import solve_system_many
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from catopt.waves import PowerLawCurrent, Sea, TableCurrent, jonswap, random_waves
 
 from .both_forms import both_forms

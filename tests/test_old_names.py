@@ -8,7 +8,7 @@ import pytest
 
 import catopt
 from catopt.errors import InputError
-from catopt.mooring.held import held_body
+from catopt.mooring.fixed_body import held_body
 from catopt.mooring.restoring import network_curve
 from catopt.old_names import OldName, renamed
 from catopt.verify.dynamic import verify_dynamic

@@ -21,11 +21,11 @@ import catopt.mooring as catopt_mooring
 import catopt.reproduce as catopt_reproduce
 from catopt.answers.design import design_answer
 from catopt.answers.of_result import answer_of, layouts
+from catopt.display import Displayable
 from catopt.mooring.restoring import watch_circle
 from catopt.render.files import csv_files
 from catopt.schemas import schema
 from catopt.schemas.validation import inconsistencies
-from catopt.shown import Displayable
 from catopt.verify.case import verify_case
 from tests.sizing.at_rest import size_tanker
 

@@ -10,9 +10,9 @@ import pytest
 
 from catopt.checks.kinds import CheckSource
 from catopt.checks.result import CheckReport, CheckResult
+from catopt.largest import first_largest, largest
 from catopt.mooring.restoring import watch_circle
-from catopt.ties import first_largest, largest
-from catopt.verify.compared import Compared
+from catopt.verify.comparison import Compared
 from catopt.verify.result import StaticComparison, least_agreeing
 from tests.mooring.layouts import spread
 

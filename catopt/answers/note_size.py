@@ -68,7 +68,7 @@ if TYPE_CHECKING:
     from catopt.mooring.solution import SystemSolution
     from catopt.notes.line import SizeNote
     from catopt.sizing import Sizing
-    from catopt.sizing.settle import LoadsAt
+    from catopt.sizing.converge import LoadsAt
 
 _DIGITS = 5
 """Of the numbers of loads: more than any of them is known to."""

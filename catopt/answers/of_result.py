@@ -19,10 +19,10 @@ if TYPE_CHECKING:
 
 def layouts() -> dict[str, Callable[[Any], Answer]]:
     """List what lays a result out, by the name of its class."""
-    from catopt.answers.again import again_answer
     from catopt.answers.check import check_answer
     from catopt.answers.design import design_answer
     from catopt.answers.motion import motion_answer
+    from catopt.answers.note_comparison import again_answer
     from catopt.answers.size import size_answer
     from catopt.answers.solution import curve_answer
     from catopt.answers.study import study_answer

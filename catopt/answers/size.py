@@ -31,8 +31,8 @@ if TYPE_CHECKING:
     from catopt.sizing import Sizing
     from catopt.sizing.floating import FloatsInStorm
     from catopt.sizing.in_motion import InMotion
+    from catopt.sizing.maintenance import Upkeep
     from catopt.sizing.pattern import Pattern, PatternState
-    from catopt.sizing.upkeep import Upkeep
 
 _FORCE = named("horizontal_force", "")
 _HEIGHT = Quantity("length", "Height", "", "m", "m", 1.0, 2)

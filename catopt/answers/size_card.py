@@ -44,7 +44,7 @@ if TYPE_CHECKING:
     from catopt.sizing import Sizing
     from catopt.sizing.alternatives import Alternative
     from catopt.sizing.in_motion import Band, InMotion, LineTried
-    from catopt.sizing.known import ResolvedInputs
+    from catopt.sizing.input_values import ResolvedInputs
 
 
 _OTHERS = ("practice", "balanced", "shortest", "least-swing", "lightest", "cheapest")

@@ -18,7 +18,7 @@ from catopt.words import Message, Several, Unit, term
 
 if TYPE_CHECKING:
     from catopt.verify.case import DesignVerification, FrontVerification
-    from catopt.verify.compared import Compared
+    from catopt.verify.comparison import Compared
     from catopt.verify.fatigue import FatigueReport, SegmentFatigue
     from catopt.verify.result import StaticComparison, Verification
 

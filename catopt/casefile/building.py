@@ -27,7 +27,7 @@ from catopt.errors import InputError
 from catopt.model import Case, CatalogueChoice, Checks, Line, Segment, SegmentChoice, Site, System
 from catopt.model.kinds import File
 from catopt.model.line import StrainTable, weight_in_water
-from catopt.model.plausible import accepting
+from catopt.model.plausible_ranges import accepting
 from catopt.units import as_written
 from catopt.words import Message, given_keys
 from catopt.words.message import problem_words

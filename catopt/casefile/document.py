@@ -20,7 +20,7 @@ from catopt.casefile.schema import (
 )
 from catopt.documents import Path, dotted
 from catopt.errors import InputError, Problem
-from catopt.model.plausible import NAMES, accepting
+from catopt.model.plausible_ranges import NAMES, accepting
 from catopt.units import as_written
 from catopt.words import Message
 

@@ -9,7 +9,7 @@ from catopt.casefile.document import FileSection, Finding
 from catopt.casefile.schema import TableSchema, entries
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model.kinds import Measured
-from catopt.model.plausible import HEAVIER, SLACK, range_of
+from catopt.model.plausible_ranges import HEAVIER, SLACK, range_of
 from catopt.words import Message
 
 

@@ -30,10 +30,10 @@ from catopt.documents import attributes, parse_toml, read_text
 from catopt.errors import InputError, Problem, refused
 from catopt.model import Anchor, Case, Line, PointLoad, Segment, Site, System
 from catopt.model.network import LineBetween, MooredBody, Network, Point, require_case
-from catopt.model.plausible import accepting
+from catopt.model.plausible_ranges import accepting
 from catopt.schemas import read_document
 from catopt.words import Message
-from catopt.words.saved import with_messages
+from catopt.words.message_records import with_messages
 
 Moored = Literal["buoy", "tanker"]
 """What is to be moored."""
@@ -187,7 +187,7 @@ def read_mooring(path: str | os.PathLike[str]) -> Case | Network:
     source = os.fspath(path)
     if Path(path).suffix.lower() != ".toml":
         from catopt.decks.reading import is_deck, is_yaml, read_any_deck, refuse_yaml
-        from catopt.decks.reported import tell
+        from catopt.decks.remarks import tell
 
         deck = read_text(Path(path), source, broken=True)
         if is_deck(deck):

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, get_args
 
 from catopt.catalogue.formula import Formula
+from catopt.display import Tabled
 from catopt.errors import InputError, Problem
 from catopt.model import Segment
 from catopt.model.kinds import (
@@ -21,7 +22,6 @@ from catopt.model.kinds import (
 )
 from catopt.records import Record
 from catopt.records import within as within_part
-from catopt.shown import Tabled
 from catopt.words import Message
 
 if TYPE_CHECKING:

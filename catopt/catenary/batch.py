@@ -21,7 +21,7 @@ from catopt.catenary.state import CONVERGED, NOT_CONVERGED, REASONS, REGIMES
 from catopt.compiled import compiled, is_compiled
 from catopt.errors import InputError, Problem, refused
 from catopt.model import Line
-from catopt.model.given import array_in_si
+from catopt.model.array_inputs import array_in_si
 from catopt.model.kinds import Findings
 from catopt.words import Message
 

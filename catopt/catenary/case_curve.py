@@ -23,12 +23,12 @@ from catopt.catenary.curve import (
 )
 from catopt.catenary.solution import Solution, check_buoys
 from catopt.catenary.solve import solve
+from catopt.display import Displayable
 from catopt.errors import FloatsUpError, refused
 from catopt.model import Case
 from catopt.model.kinds import Findings, Place, SomeForce
 from catopt.model.network import Network, require_case
 from catopt.records import Record
-from catopt.shown import Displayable
 from catopt.words import Measure, Message
 
 __all__ = ["STEPPED", "CaseCurve", "Stepped", "curve_case"]

@@ -23,12 +23,12 @@ from catopt.catenary.solution import Solution
 from catopt.catenary.solve import by_first_rows, has_table, solution_of, solve, solve_by_table
 from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import CONVERGED, REGIMES, Regime, State
+from catopt.display import Tabled
 from catopt.errors import NoAnswerError, NoEquilibriumError, NotConvergedError
 from catopt.model import Line
 from catopt.model.kinds import Findings, Measured, Place, SomeForce
 from catopt.progress import paced
 from catopt.records import From, OrNull, Record
-from catopt.shown import Tabled
 from catopt.units import Dimension
 from catopt.words import Message, Several, term
 

@@ -13,7 +13,7 @@ from typing import Any
 
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
-from catopt.catenary.sought import Condition, Found, Sought, find
+from catopt.catenary.unknowns import Condition, Found, Sought, find
 from catopt.errors import CatoptError, InputError, NoAnswerError, Problem, refused
 from catopt.model import Case, Line, Load, Segment
 from catopt.model.kinds import Findings

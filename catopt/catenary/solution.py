@@ -12,12 +12,12 @@ from typing import Annotated, Any, Literal, NotRequired, TypedDict
 
 from catopt.catenary.layout import LowestPoint, Profile, Stretch, lowest_point, sag_of, sample
 from catopt.catenary.state import Regime
+from catopt.display import Displayable
 from catopt.errors import FloatsUpError
 from catopt.model import Line
 from catopt.model.kinds import Angle, Factor, Force, Height, Length, NotNegative, Place, SomeForce
 from catopt.model.line import INEXTENSIBLE, StrainTable
 from catopt.records import Counted, From, FromZero, Record
-from catopt.shown import Displayable
 from catopt.words import Measure, Message
 
 __all__ = [

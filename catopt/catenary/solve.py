@@ -67,7 +67,7 @@ from catopt.errors import CatoptError, NoEquilibriumError, NotConvergedError, Ta
 from catopt.model import Case, Line, Load, PointLoad, Segment
 from catopt.model.kinds import Findings
 from catopt.model.line import StrainTable
-from catopt.model.plausible import NAMES
+from catopt.model.plausible_ranges import NAMES
 from catopt.words import Measure, Message
 
 PARTS: Final = 32

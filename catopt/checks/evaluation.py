@@ -22,9 +22,9 @@ from catopt.checks.kinds import (
     ratio_exceedance,
 )
 from catopt.checks.result import CheckResult
+from catopt.largest import largest
 from catopt.model import Anchor, Line, Segment
 from catopt.model.load import LoadCaseKind
-from catopt.ties import largest
 from catopt.words import Listed, Measure, Message, Several, term
 
 NO_CHECK: Final = "checks.none"

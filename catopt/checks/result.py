@@ -8,6 +8,8 @@ from typing import Annotated, Any
 from catopt.catenary.solution import Solution
 from catopt.checks.kinds import CHECK_UNITS, ROUNDING, CheckKind, CheckSource, Place
 from catopt.checks.verdict import Judgement, Matter, verdict_of
+from catopt.display import Displayable
+from catopt.largest import largest
 from catopt.model import Case, LoadCase
 from catopt.model.kinds import OneOf
 from catopt.model.kinds import Place as Along
@@ -15,8 +17,6 @@ from catopt.model.load import LoadCaseKind
 from catopt.model.network import Network
 from catopt.old_names import OldName
 from catopt.records import From, FromZero, Record, within
-from catopt.shown import Displayable
-from catopt.ties import largest
 from catopt.words import Message
 
 __all__ = ["CheckReport", "CheckResult", "CheckSource", "line_in_state"]

@@ -21,7 +21,7 @@ from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, Leg, Line
 from catopt.model.network import Network
 from catopt.mooring.case import LineOut, SystemReport, one_line_out, report_system
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.network_out import NetworkOut, each_line_out
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.mooring.solution import SystemSolution, of_line

@@ -90,7 +90,7 @@ def find(
 ) -> None:
     """Find components, anchors and fittings by what they are called."""
     from catopt.catalogue.finding import find as find_all
-    from catopt.loads.held import anchors_held
+    from catopt.loads.holding_table import anchors_held
 
     known = _catalogue(families)
     with _by_option({"component": "WORDS", "size": "WORDS"}):
@@ -120,7 +120,7 @@ def anchor(
 ) -> None:
     """Show what a drag anchor holds."""
     from catopt.catalogue.finding import SOILS
-    from catopt.loads.held import anchors_held, named_anchors
+    from catopt.loads.holding_table import anchors_held, named_anchors
 
     values = in_si({"--mass": (mass, Dimension.MASS)})
     with _by_option({"anchor": "ANCHOR", "mass": "--mass", "soil": "--soil"}):
@@ -171,7 +171,7 @@ def sinker(
     water_density: WaterOption = None,
 ) -> None:
     """Show what a sinker holds on each soil."""
-    from catopt.loads.held import sinkers_held
+    from catopt.loads.holding_table import sinkers_held
     from catopt.loads.sinker import soil_named
 
     values = in_si(

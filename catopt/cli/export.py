@@ -11,7 +11,7 @@ from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, DesignOption, LoadCaseOption, PlaceOption
 from catopt.cli.values import in_state, positive, read_known, refused
 from catopt.errors import InputError, Problem
-from catopt.export.exported import Source, exported_lines, rigid_segments
+from catopt.export.export_result import Source, exported_lines, rigid_segments
 from catopt.model.kinds import Findings
 from catopt.notes.origin import file_name, read_source
 from catopt.units import Dimension

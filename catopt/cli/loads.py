@@ -17,7 +17,7 @@ from catopt.cli.options import LengthOption, TablesOutOption
 from catopt.cli.size import BuoyArgument, as_option, by_option, is_file, typed, with_inputs
 from catopt.cli.values import given_ones, in_si
 from catopt.errors import refused
-from catopt.ties import largest
+from catopt.largest import largest
 from catopt.units import Dimension
 from catopt.words import Cited, Measure, Message, term
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from catopt.casefile.reading import Moored
     from catopt.loads import Afloat, Loads, SeaState, ShipHeading, Turning
     from catopt.loads.ship import Condition
-    from catopt.sizing.known import ResolvedInputs, Spelling
+    from catopt.sizing.input_values import ResolvedInputs, Spelling
 
 loads = group("loads")
 
@@ -162,7 +162,7 @@ def ship(
     from catopt.loads import METHODS, WaterLevels, every_lying, every_method
     from catopt.loads.ship import BARGE, MIDSHIP, TAKEN_FOR, WATERLINE, box_estimates, estimates
     from catopt.sizing.environment import DIRECTIONS, directions_of, read_turning, turned_round
-    from catopt.sizing.known import estimated_dimensions, small_craft
+    from catopt.sizing.input_values import estimated_dimensions, small_craft
     from catopt.sizing.requests import turns_by_itself
     from catopt.sizing.wind import of_the_wind, wind_of_30_s
 
@@ -267,7 +267,7 @@ def _known(
 ) -> Iterator[ResolvedInputs]:
     """Read options, and a file if there is one; what is wrong is told as it stands there."""
     from catopt.sizing.file import read_file
-    from catopt.sizing.known import known
+    from catopt.sizing.input_values import known
 
     given = typed(moored, options)
     if place is None:

@@ -19,8 +19,8 @@ from catopt.notes.origin import Asked, asked_in, read_source
 from catopt.notes.system import NetworkNote, SystemNote, read_network_note, read_system_note
 from catopt.progress import Progress
 from catopt.sizing.file import read_file, sized
+from catopt.sizing.input_values import known
 from catopt.sizing.inputs import Input, inputs_of
-from catopt.sizing.known import known
 from catopt.sizing.requests import size
 from catopt.words import Message
 

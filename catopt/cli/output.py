@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TextIO, cast
 
 from catopt.compiled import when_cache_is_damaged, when_compiling
-from catopt.decks.reported import when_read
+from catopt.decks.remarks import when_read
 from catopt.errors import InputError, refused
 from catopt.progress import Progress
 from catopt.words import Message, say

@@ -18,7 +18,7 @@ from catopt.words import Language, Message
 
 if TYPE_CHECKING:
     from catopt.answers.blocks import Answer
-    from catopt.notes.again import ReadNote
+    from catopt.notes.note_comparison import ReadNote
 
 PAGE_ENDINGS = (".html", ".htm")
 """What tells a file from a directory in --out."""
@@ -91,7 +91,7 @@ def report(
         files |= _beside(answer, name, files[name], language, printer, with_workbook or is_folder)
     places = write_files(folder, files, keep=[case])
     if asked.as_json:
-        from catopt.notes.written import WrittenNote, written_file
+        from catopt.notes.report_document import WrittenNote, written_file
 
         first, *others = map(written_file, places, files.values())
         sections = tuple(section.name for section in answer.sections)
@@ -110,10 +110,10 @@ def _compare_again(asked: Asked, place: Path) -> None:
     from dataclasses import replace
     from tempfile import TemporaryDirectory
 
-    from catopt.answers.again import again_answer
+    from catopt.answers.note_comparison import again_answer
     from catopt.cli.note_kind import AnyNote, answer_of, has_table, note_of_file, note_of_options
     from catopt.documents import MOST_BYTES_OF_DATA, read_text
-    from catopt.notes.again import compared_notes, read_written_note
+    from catopt.notes.note_comparison import compared_notes, read_written_note
     from catopt.notes.origin import Asked as AskedForNote
     from catopt.render.page import page
 

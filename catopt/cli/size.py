@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from catopt.casefile.reading import Moored
     from catopt.notes.line import Given
     from catopt.sizing import Sizing
-    from catopt.sizing.known import ResolvedInputs, Spelling
+    from catopt.sizing.input_values import ResolvedInputs, Spelling
 
 
 Command = TypeVar("Command", bound=Callable[..., None])
@@ -181,7 +181,7 @@ def _size(
 ) -> None:
     from catopt.cli.wizard import answered
     from catopt.sizing.file import read_file
-    from catopt.sizing.known import known
+    from catopt.sizing.input_values import known
 
     # Refuse, before anything is computed, what cannot be written or would replace a case.
     if save is not None and save.exists():

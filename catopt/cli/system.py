@@ -91,7 +91,7 @@ def _network(asked: Asked, network: Network, wanted: Wanted) -> None:
     """Bring points, lines and bodies to rest, and hold their body where that is asked for."""
     from catopt.checks.system import check_network
     from catopt.mooring.case import at_levels, network_curves
-    from catopt.mooring.held import at_rest, hold
+    from catopt.mooring.fixed_body import at_rest, hold
     from catopt.mooring.network_out import each_line_out
     from catopt.mooring.network_rest import LinesAtRest, NetworkReport
     from catopt.mooring.restoring import watch_circle

@@ -8,9 +8,9 @@ from collections.abc import Mapping
 from catopt.casefile.reading import Moored
 from catopt.cli.values import refused
 from catopt.errors import InputError, Problem
+from catopt.sizing.input_values import Spelling, is_needless
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.sizing.kinds import choices_of, from_text, kind_of
-from catopt.sizing.known import Spelling, is_needless
 from catopt.words import Cited, Language, Message, say, term
 from catopt.words.message import problem_words
 

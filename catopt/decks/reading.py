@@ -27,7 +27,7 @@ from catopt.documents import unfit
 from catopt.errors import InputError, refused
 from catopt.model import Case, Line, Segment, Site
 from catopt.model.network import LineBetween, Network, Point, PointKind
-from catopt.model.plausible import NAMES, accepting
+from catopt.model.plausible_ranges import NAMES, accepting
 from catopt.words.message import Message, is_said
 
 _KIND: dict[str, PointKind] = {"fixed": "anchor", "coupled": "fairlead", "free": "joint"}

@@ -12,12 +12,12 @@ from catopt.checks.criteria import criteria_of
 from catopt.checks.kinds import Place, State
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.system import InState, check_state
+from catopt.largest import first_largest
 from catopt.model import DesignLoad, System
 from catopt.model.kinds import Angle, Length, Strength
 from catopt.mooring.solution import SystemSolution, solution_at
 from catopt.mooring.static_equilibrium import ZeroLoadPosition, zero_load_position
 from catopt.records import From
-from catopt.ties import first_largest
 from catopt.words import Message
 
 if TYPE_CHECKING:

@@ -19,7 +19,7 @@ from catopt.design.space import (
     SegmentVariable,
 )
 from catopt.errors import NoAnswerError, NotConvergedError, refused
-from catopt.ties import first_largest
+from catopt.largest import first_largest
 from catopt.words import Listed, Measure, Message, Sentence, Several
 from catopt.words.message import number
 

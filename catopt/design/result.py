@@ -10,6 +10,7 @@ from typing import Annotated, Any, TypedDict
 from catopt.checks.result import CheckReport, CheckResult, ChecksInMotion
 from catopt.checks.verdict import Judgement, Matter, verdict_of
 from catopt.design.mooring_point import MooringPoint, under
+from catopt.display import Displayable
 from catopt.model import Anchor, Case, Line
 from catopt.model.design import FoundBy, loads_of
 from catopt.model.kinds import (
@@ -25,9 +26,8 @@ from catopt.model.kinds import (
 )
 from catopt.model.load import LoadCaseKind
 from catopt.records import Counted, From, FromZero, Record
-from catopt.shown import Displayable
 from catopt.words import Measure, Message, Several
-from catopt.words.saved import messages_in
+from catopt.words.message_records import messages_in
 
 __all__ = ["DesignPoint", "DesignResult", "InDraws", "NearMiss", "Neighbour"]
 

@@ -20,7 +20,7 @@ from catopt.errors import InputError, Problem
 from catopt.model import Case, ClumpWeightChoice, Line, LoadCase, PointLoad, Segment, SegmentChoice
 from catopt.model.kinds import Findings
 from catopt.model.line import line_kind, weight_in_water
-from catopt.model.plausible import NAMES
+from catopt.model.plausible_ranges import NAMES
 from catopt.words import Listed, Message, Several
 
 GENES_EACH = 2

@@ -16,7 +16,14 @@ from types import MappingProxyType
 from catopt._version import identity
 from catopt.catenary.layout import Profile, end_of
 from catopt.catenary.solution import Solution
-from catopt.export.exported import Exported, ExportedLine, ExportedLines, Source, exported, heading
+from catopt.export.export_result import (
+    Exported,
+    ExportedLine,
+    ExportedLines,
+    Source,
+    exported,
+    heading,
+)
 
 Group = tuple[int, str]
 Point = tuple[float, float, float]

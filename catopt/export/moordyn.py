@@ -11,7 +11,14 @@ import math
 from collections.abc import Iterator, Sequence
 
 from catopt.decks.deck import Deck
-from catopt.export.exported import Exported, ExportedLines, Source, exported, heading, significant
+from catopt.export.export_result import (
+    Exported,
+    ExportedLines,
+    Source,
+    exported,
+    heading,
+    significant,
+)
 from catopt.export.moordyn_model import ELEMENTS, ROUNDING, Model, model_of, remarks_of, resting
 from catopt.export.programs import deck_of
 

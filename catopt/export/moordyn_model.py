@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from itertools import accumulate, pairwise
 
 from catopt.errors import InputError, Problem, refused
-from catopt.export.exported import (
+from catopt.export.export_result import (
     STEEL_DENSITY,
     BodyInWater,
     ExportedLine,

@@ -12,7 +12,7 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.decks.deck import Deck, DeckPiece, End, LineType, Notes, Point
 from catopt.decks.to_case import Chain, chains_of, weight_of
 from catopt.errors import refused
-from catopt.export.exported import Exported, ExportedLines, Source, exact, exported, heading
+from catopt.export.export_result import Exported, ExportedLines, Source, exact, exported, heading
 from catopt.export.moordyn_model import (
     ADDED_MASS,
     DRAG,
@@ -380,7 +380,7 @@ def program_input(
     Examples
     --------
     >>> import catopt
-    >>> from catopt.export.exported import exported_lines
+    >>> from catopt.export.export_result import exported_lines
     >>> from catopt.export.programs import program_input
     >>> chain = catopt.Segment(60.0, 2100.0, EA=2e8, mass=246.0, name="chain")
     >>> load = catopt.Load(horizontal_force=1e5)

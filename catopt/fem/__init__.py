@@ -22,9 +22,9 @@ from catopt.fem.newmark import LineDamping, Scheme, rayleigh_factors
 from catopt.fem.run_settings import BodyInertia, StepControls, TimeStepping
 from catopt.fem.seabed import Bed, HeldBed, Seabed
 from catopt.fem.series import Harmonic, Sampled, Together
-from catopt.fem.settle import Controls
 from catopt.fem.simulation import Simulation
 from catopt.fem.solve import EndForce, Leg, SystemSolution, TrussSolution, solve_line, solve_system
+from catopt.fem.static_newton import Controls
 
 __all__ = [
     "Bed",

@@ -12,8 +12,8 @@ from typing import Any
 
 from catopt.fem.banded import DIAGONAL
 from catopt.fem.loads import axis
-from catopt.fem.resting import Net, row_of_bar
 from catopt.fem.seabed import ON_BED, SPRING, Ground, friction_sense
+from catopt.fem.static_model import Net, row_of_bar
 
 
 def limit(node: int, reaction: float, ground: Ground, contact: Any) -> float:

@@ -16,7 +16,7 @@ from typing import Any
 from catopt.arrays import Array
 from catopt.compiled import inlined
 from catopt.constants import SEA_WATER_DENSITY
-from catopt.fem.resting import BarLoads, Bars
+from catopt.fem.static_model import BarLoads, Bars
 from catopt.model.kinds import Findings
 
 

@@ -14,7 +14,6 @@ import numpy as np
 from catopt.arrays import Array, Codes
 from catopt.constants import STANDARD_GRAVITY
 from catopt.fem.loads import Current
-from catopt.fem.resting import Bars, Body, State
 from catopt.fem.seabed import (
     ABSENT,
     FREE,
@@ -29,6 +28,7 @@ from catopt.fem.seabed import (
     Ground,
     HeldBed,
 )
+from catopt.fem.static_model import Bars, Body, State
 from catopt.model import Line, PointLoad
 from catopt.model.kinds import Findings
 from catopt.words import Message

@@ -9,10 +9,10 @@ import numpy as np
 
 from catopt.arrays import Array, Flags
 from catopt.fem.mesh import LineMesh, Problem, Water, build, end_nodes, straight
-from catopt.fem.resting import Body
 from catopt.fem.seabed import Bed, HeldBed
-from catopt.fem.settle import Controls, Rest, follow, settle
 from catopt.fem.solve import TrussSolution, read_line
+from catopt.fem.static_model import Body
+from catopt.fem.static_newton import Controls, Rest, follow, settle
 
 Vector = tuple[float, float, float]
 

@@ -18,7 +18,7 @@ import numpy.typing as npt
 from catopt.arrays import Array
 from catopt.compiled import compiled, packed
 from catopt.errors import refused
-from catopt.model.given import array_in_si
+from catopt.model.array_inputs import array_in_si
 from catopt.model.kinds import Findings
 from catopt.units import is_quantity
 from catopt.waves.kinematics import cos_sin, row_at

@@ -21,8 +21,8 @@ from catopt.fem.mesh import (
     straight,
 )
 from catopt.fem.seabed import ABSENT, HELD, ON_BED, Bed, HeldBed, friction_sense
-from catopt.fem.settle import Controls, Rest, follow, settle
 from catopt.fem.sloped_rest import hanging_part
+from catopt.fem.static_newton import Controls, Rest, follow, settle
 from catopt.model import Line
 from catopt.model.kinds import Findings
 from catopt.words import Message

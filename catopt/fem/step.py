@@ -28,7 +28,6 @@ from catopt.fem.banded import (
 )
 from catopt.fem.friction import add_friction
 from catopt.fem.loads import axis, bar_loads
-from catopt.fem.resting import Bars, Body, Law, Net, State, kept, row_of_bar
 from catopt.fem.seabed import (
     ABSENT,
     FREE,
@@ -42,6 +41,7 @@ from catopt.fem.seabed import (
     touches,
 )
 from catopt.fem.sloped_rest import hanging_node, own_rest, share_slope, share_weight, shift_slope
+from catopt.fem.static_model import Bars, Body, Law, Net, State, kept, row_of_bar
 
 _SPARE: Final = 1e-3
 """Part of the d asked for by its tension that a bar is taken to have at least when its stiffness is

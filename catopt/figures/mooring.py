@@ -22,8 +22,8 @@ from catopt.figures.chart import (
     pointed,
 )
 from catopt.figures.line import FAR, grounded_ends, room_around, surface_and_bed, water
+from catopt.largest import first_largest, largest
 from catopt.quantities import QUANTITIES
-from catopt.ties import first_largest, largest
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:

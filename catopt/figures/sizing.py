@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 from catopt.figures.chart import Area, Chart, Mark, Point, Series, axis, pointed, span_of
 from catopt.figures.line import Failing, line_in_water
 from catopt.figures.studies import lines_to_scale
+from catopt.largest import largest
 from catopt.quantities import QUANTITIES, Quantity
-from catopt.ties import largest
 from catopt.words import Measure, Message, Several, term
 
 if TYPE_CHECKING:

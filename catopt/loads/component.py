@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from typing import Literal
 
 from catopt.catalogue.components import RECALLED, Confidence
+from catopt.display import Tabled
 from catopt.errors import refused
 from catopt.model.kinds import Force, SomeForce
 from catopt.records import Record
-from catopt.shown import Tabled
 from catopt.words import Message
 from catopt.words.message import number
 

@@ -10,13 +10,13 @@ from typing import Final, Literal, cast, get_args
 
 from catopt.catalogue.fittings import AnchorType, Holding, anchor_types
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
+from catopt.display import Tabled
 from catopt.errors import NoAnswerError
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.component import DTOCEAN, MOORPY, UFC, LoadSource, refuse_recalled
 from catopt.loads.ship import NextSize, neighbours, next_size
 from catopt.model.kinds import Findings, SomeForce, exceeds
 from catopt.records import Record
-from catopt.shown import Tabled
 from catopt.words import Measure, Message, Several, term
 
 Soil = Literal["soft clay", "medium clay", "sand"]

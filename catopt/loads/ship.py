@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from types import MappingProxyType
 from typing import Final, Literal, NamedTuple, get_args
 
+from catopt.display import Tabled
 from catopt.errors import NoAnswerError
 from catopt.loads.component import MARPOL, LoadSource
 from catopt.model.kinds import Findings, NotNegative, Positive, SomeMass, exceeds
-from catopt.shown import Tabled
 from catopt.words import Message
 
 PROPELLER_AREA_RATIOS = MappingProxyType(

@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import Any, Final, Literal, get_args
 
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
+from catopt.largest import largest
 from catopt.loads.component import DTOCEAN, LoadComponent, Loads, LoadSource, Number
 from catopt.loads.environment import ALONG, HEAD_ON, Headings, SeaState, SurfaceCurrent, Wind
 from catopt.loads.ship import Ship
@@ -22,7 +23,6 @@ from catopt.loads.ufc import (
     ufc_wind_loads,
 )
 from catopt.model.kinds import Findings
-from catopt.ties import largest
 from catopt.waves.random_surface import depth_factor as depth_factor
 from catopt.words import Measure, Message, Several, term
 

@@ -9,11 +9,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Final
 
+from catopt.display import Tabled
 from catopt.loads.component import Loads
 from catopt.loads.environment import SeaState, SurfaceCurrent, Wind
 from catopt.loads.ship import Condition, Ship, estimated_tanker, estimates
 from catopt.loads.ship_loads import METHODS, DriftWave, ship_loads
-from catopt.shown import Tabled
 from catopt.words import Message, Sentence
 
 PRINTED_FORCE: Final = 450e3

@@ -10,6 +10,7 @@ from types import MappingProxyType
 from typing import Any, Final, Literal, NamedTuple, TypeAlias
 
 from catopt.constants import SEA_WATER_DENSITY
+from catopt.display import Tabled
 from catopt.errors import NoAnswerError
 from catopt.loads.component import LoadComponent, Loads
 from catopt.loads.environment import Headings, SeaState, SurfaceCurrent, Wind, drag
@@ -29,7 +30,6 @@ from catopt.loads.ship_loads import (
 from catopt.loads.ufc import transverse_load, yaw_moment
 from catopt.model.kinds import Angle, Findings, Length
 from catopt.records import Record
-from catopt.shown import Tabled
 from catopt.words import Message
 
 

@@ -7,7 +7,7 @@ from typing import Literal, get_args
 
 from catopt.compiled import inlined
 from catopt.model.kinds import Factor, Findings, Length, Mass, Positive, Source, Strength
-from catopt.model.plausible import Plausible
+from catopt.model.plausible_ranges import Plausible
 from catopt.words import Message
 
 AnchorKind = Literal["sinker", "drag"]

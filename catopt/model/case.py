@@ -31,7 +31,7 @@ from catopt.model.kinds import (
 )
 from catopt.model.line import Line
 from catopt.model.load import Checks, Load, LoadCase, Site
-from catopt.model.plausible import accepted_in
+from catopt.model.plausible_ranges import accepted_in
 from catopt.model.sea import CurrentProfile, Motion, WaveState
 from catopt.model.service import Service, wear_misfits
 from catopt.model.system import Body, Buoy, Floater, System, system_misfits

@@ -31,7 +31,7 @@ from catopt.model.kinds import (
     Whole,
 )
 from catopt.model.load import LOADS
-from catopt.model.plausible import Plausible
+from catopt.model.plausible_ranges import Plausible
 from catopt.model.system import System
 from catopt.words import Listed, Message
 

@@ -24,7 +24,7 @@ from catopt.model.kinds import (
     Time,
     Whole,
 )
-from catopt.model.plausible import Plausible
+from catopt.model.plausible_ranges import Plausible
 from catopt.model.sea import OF_A_BODY, RAO_CONVENTIONS
 from catopt.model.system import FLOATERS, floater_kind
 from catopt.units import Dimension, as_written

@@ -474,7 +474,7 @@ Accepted = Annotated[
         quoted=True,
     ),
 ]
-"""Names of plausible ranges that a file may set aside (`catopt.model.plausible`)."""
+"""Names of plausible ranges that a file may set aside (`catopt.model.plausible_ranges`)."""
 
 
 _ROUNDING = 1e-12

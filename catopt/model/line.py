@@ -31,7 +31,7 @@ from catopt.model.kinds import (
     WearRate,
     Weight,
 )
-from catopt.model.plausible import Plausible
+from catopt.model.plausible_ranges import Plausible
 from catopt.model.service import WEAR_ZONES
 from catopt.units import Dimension
 from catopt.words import Message

@@ -25,7 +25,7 @@ from catopt.model.kinds import (
     Text,
     Uplift,
 )
-from catopt.model.plausible import Plausible
+from catopt.model.plausible_ranges import Plausible
 from catopt.model.wear import Condition
 from catopt.units import Dimension
 from catopt.words import Message, given_keys, term

@@ -31,7 +31,7 @@ from catopt.model.kinds import (
 )
 from catopt.model.line import Line, drag_missing, point_drag_misfits, weightless
 from catopt.model.load import Checks, Site
-from catopt.model.plausible import accepted_in
+from catopt.model.plausible_ranges import accepted_in
 from catopt.model.sea import CurrentProfile, Motion, WaveState
 from catopt.model.service import Service
 from catopt.model.title_block import TitleBlock

@@ -27,7 +27,7 @@ from catopt.model.kinds import (
     Time,
     Whole,
 )
-from catopt.model.plausible import Plausible
+from catopt.model.plausible_ranges import Plausible
 from catopt.units import Dimension
 from catopt.words import Message, given_keys
 

@@ -34,7 +34,7 @@ from catopt.model.kinds import (
     Weight,
 )
 from catopt.model.line import Line, weightless
-from catopt.model.plausible import Plausible
+from catopt.model.plausible_ranges import Plausible
 from catopt.units import Dimension
 from catopt.words import Message
 

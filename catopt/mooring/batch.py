@@ -12,7 +12,7 @@ from catopt.arrays import Array, Codes, Flags
 from catopt.catenary.state import CONVERGED, REASONS
 from catopt.compiled import compiled
 from catopt.errors import InputError, Problem
-from catopt.model.given import array_in_si
+from catopt.model.array_inputs import array_in_si
 from catopt.model.kinds import Findings
 from catopt.model.system import System
 from catopt.mooring.balance import Arrangement, Lines, pull_at, room_for

@@ -8,11 +8,12 @@ from dataclasses import dataclass, replace
 
 from catopt.catenary.case import of_accepted
 from catopt.catenary.solution import above_water, named_line, weighs_as_in_water
+from catopt.display import Displayable
 from catopt.errors import InputError, NoAnswerError, Problem, refused
 from catopt.model import Case, System
 from catopt.model.kinds import Findings, Place, SomeForce, Stiffness
 from catopt.model.network import Network
-from catopt.mooring.held import at_displacement
+from catopt.mooring.fixed_body import at_displacement
 from catopt.mooring.network_rest import HeldBody, LinesAtRest
 from catopt.mooring.restoring import (
     Response,
@@ -28,7 +29,6 @@ from catopt.mooring.static_equilibrium import zero_load_position
 from catopt.old_names import OldName
 from catopt.progress import paced
 from catopt.records import Record, within
-from catopt.shown import Displayable
 from catopt.words import Message
 
 FEWEST_LINES = 4

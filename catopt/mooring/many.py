@@ -13,7 +13,7 @@ from catopt.arrays import Array, Codes, Flags
 from catopt.catenary.state import CONVERGED
 from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.model.network import MooredBody, Network
-from catopt.mooring.held import WithoutLoad, without_load
+from catopt.mooring.fixed_body import WithoutLoad, without_load
 from catopt.mooring.joints import is_anchored, pose_of, rested
 from catopt.mooring.rest import PER_LINE
 

@@ -8,14 +8,14 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 from catopt.errors import NoAnswerError, NoEquilibriumError, NotConvergedError
+from catopt.largest import first_largest
 from catopt.model.kinds import SomeForce
 from catopt.model.load import Checks
 from catopt.model.network import LineBetween, Network, Point, joined
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.progress import paced
 from catopt.records import Counted, Record
-from catopt.ties import first_largest
 from catopt.words import Message
 
 

@@ -9,11 +9,11 @@ from typing import Annotated, Literal, NamedTuple
 
 from catopt.catenary.in_current import CurrentEffect, SolutionInCurrent
 from catopt.catenary.solution import PointLoadState, Solution
+from catopt.display import Tabled
 from catopt.model.kinds import Angle, Force, Height, Place, Size, SomeForce
 from catopt.model.network import MooredBody, Network, Point
 from catopt.mooring.joints import JointsAtRest, Run, Vector, is_anchored, laid_out
 from catopt.records import From, FromZero, OrNull, Record
-from catopt.shown import Tabled
 
 
 @dataclass(frozen=True)

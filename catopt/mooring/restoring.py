@@ -7,21 +7,21 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import NamedTuple, Protocol
 
+from catopt.display import Tabled
 from catopt.errors import refused
+from catopt.largest import first_largest
 from catopt.model.kinds import Angle, Findings, Force, Height, Place, SomeForce, Strength
 from catopt.model.network import Network
 from catopt.model.system import System
 from catopt.mooring.balance import Lines
 from catopt.mooring.descent import Rest
-from catopt.mooring.held import WithoutLoad, at_rest, without_load
+from catopt.mooring.fixed_body import WithoutLoad, at_rest, without_load
 from catopt.mooring.joints import pulls_of
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.mooring.static_equilibrium import ZeroLoadPosition, zero_load_position
 from catopt.old_names import old_function
 from catopt.progress import paced
 from catopt.records import Counted, Record
-from catopt.shown import Tabled
-from catopt.ties import first_largest
 from catopt.words import Message
 
 Plane = tuple[tuple[float, float], tuple[float, float]]

@@ -14,7 +14,9 @@ from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solution_of
 from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import CONVERGED
+from catopt.display import Displayable
 from catopt.errors import NotConvergedError
+from catopt.largest import first_largest
 from catopt.model.kinds import Angle, Moment, NotNegative, Place, SomeForce, Stiffness
 from catopt.model.network import Network
 from catopt.model.system import Leg, System
@@ -23,8 +25,6 @@ from catopt.mooring.descent import Rest
 from catopt.mooring.network_rest import LinesAtRest, PlacedLoad, Position
 from catopt.mooring.static_equilibrium import ZeroLoadPosition, is_held, zero_load_position
 from catopt.records import Counted, From, Record
-from catopt.shown import Displayable
-from catopt.ties import first_largest
 from catopt.words import Message
 
 if TYPE_CHECKING:
@@ -254,7 +254,7 @@ def solve_system(system: System | Network) -> SystemSolution | LinesAtRest:
     Returns
     -------
     SystemSolution or LinesAtRest
-        With its residuals; the latter of a network, as `catopt.mooring.held.at_rest`.
+        With its residuals; the latter of a network, as `catopt.mooring.fixed_body.at_rest`.
 
     Raises
     ------
@@ -275,7 +275,7 @@ def solve_system(system: System | Network) -> SystemSolution | LinesAtRest:
     (2, 35.53)
     """
     if isinstance(system, Network):
-        from catopt.mooring.held import at_rest
+        from catopt.mooring.fixed_body import at_rest
 
         return at_rest(system)
     zero_load = zero_load_position(system)

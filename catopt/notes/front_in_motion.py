@@ -306,7 +306,7 @@ def run_design(
     `before`: what the seeds came to that were run before these.
     """
     from catopt.verify.dynamic import verify_dynamic
-    from catopt.verify.judged import judged_as, solutions_at_rest, with_more_runs, with_verdicts
+    from catopt.verify.verdicts import judged_as, solutions_at_rest, with_more_runs, with_verdicts
 
     try:
         found = verify_dynamic(

@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from catopt.checks.criteria import criteria_of
+from catopt.largest import first_largest
 from catopt.notes.origin import SourceFile, read_source
 from catopt.progress import Progress
-from catopt.ties import first_largest
 from catopt.units import lasting
 from catopt.words import Measure, Message
 
@@ -109,7 +109,7 @@ def checks_in_motion(
 
     Raises InputError, NoEquilibriumError and NotConvergedError as `check_case` does.
     """
-    from catopt.verify.judged import check_parts, solutions_at_rest
+    from catopt.verify.verdicts import check_parts, solutions_at_rest
 
     solved = solutions_at_rest(found.case, found.parts) if at_rest is None else at_rest
     report = check_parts(found.case, found.parts, solved)
@@ -143,7 +143,7 @@ def _of_the_storm(parts: Sequence[DynamicPart]) -> Iterator[Message]:
 
 def _uses(part: DynamicPart, solution: Solution, made: CheckReport) -> Iterator[SegmentUse]:
     """Yield what each segment carries beside what the checks of its tension allow."""
-    from catopt.verify.judged import judged_tensions
+    from catopt.verify.verdicts import judged_tensions
 
     allowed = allowed_tensions(made, solution, part.name)
     largest = judged_tensions(part, part.runs, solution.line)

@@ -13,9 +13,10 @@ from catopt.casefile.schema import NetworkTable
 from catopt.checks.evaluation import NO_CHECK
 from catopt.checks.system import check_network, check_system, criteria_of_network
 from catopt.errors import CatoptError, NoEquilibriumError
+from catopt.largest import first_largest
 from catopt.model.network import Network
 from catopt.mooring.case import CURVE_POINTS, SystemReport, report_system
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.network_out import NetworkOut, each_line_out, largest_tensions
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.mooring.restoring import RestoringCurve, restoring_curve
@@ -31,7 +32,6 @@ from catopt.notes.origin import (
 from catopt.notes.sheet import AnyNote, Stated, both_models, doubts_of_models, sheet_of
 from catopt.progress import Progress
 from catopt.quantities import QUANTITIES
-from catopt.ties import first_largest
 from catopt.verify.motion_words import doubts, stopped_sentence
 from catopt.words import Message, is_said
 

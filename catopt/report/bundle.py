@@ -14,9 +14,9 @@ from catopt.casefile.reading import DESIGN_CASE
 from catopt.casefile.writing import text_digest
 from catopt.errors import InputError, refused
 from catopt.interrupt import signals_wait
+from catopt.largest import first_largest
 from catopt.render.files import csv_of, document_bytes
 from catopt.schemas import CASE_DIGEST
-from catopt.ties import first_largest
 from catopt.words import Message, Several, term
 
 if TYPE_CHECKING:

@@ -28,7 +28,7 @@ from catopt.words import Message
 if TYPE_CHECKING:
     from catopt.fem import HeldBed, TrussSolution
     from catopt.fem import SystemSolution as TrussSystem
-    from catopt.verify.compared import Compared
+    from catopt.verify.comparison import Compared
     from catopt.verify.result import StaticComparison
 
 NAME = "fso_rang_dong"

@@ -12,8 +12,8 @@ from importlib.resources import files
 from typing import Annotated, Any, Final, Literal
 
 from catopt.catenary.solution import Solution
+from catopt.display import Tabled
 from catopt.records import Counted, From, Record
-from catopt.shown import Tabled
 from catopt.units import UNITS, Dimension
 from catopt.words import Cited, Language, Message, Several, Told, term
 

@@ -123,7 +123,7 @@ def solve_one_line(source: Published, anchor_radius: float | None = None) -> Sol
 
 def _held(source: Published, displacement: tuple[float, ...] = (0.0,) * 6) -> HeldBody:
     """Hold a body on three such lines; on a bed without friction, as linearised matrices are."""
-    from catopt.mooring.held import at_displacement
+    from catopt.mooring.fixed_body import at_displacement
 
     given = source.inputs
     depth, first = given["water_depth_m"], math.radians(given["first_azimuth_deg"])
@@ -207,7 +207,7 @@ def bridle() -> Study:
 
     MAP++'s documentation has three legs of steel that split into two of nylon each.
     """
-    from catopt.mooring.held import hold
+    from catopt.mooring.fixed_body import hold
 
     source = published("bridle")
     network = network_of(source)

@@ -9,6 +9,7 @@ from typing import Final
 
 from catopt.catalogue.components import weakest
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
+from catopt.largest import largest
 from catopt.loads.component import Loads
 from catopt.loads.environment import Headings, SeaState, SurfaceCurrent, Wind
 from catopt.loads.ship import BLOCK, MIDSHIP, Ship
@@ -26,7 +27,6 @@ from catopt.reproduce.items import (
     published,
     study_of,
 )
-from catopt.ties import largest
 from catopt.words import Message, Several, term
 
 CONDITIONS: Final = ("loaded", "ballast")

@@ -29,9 +29,9 @@ from catopt.model.line import line_kind
 from catopt.quantities import QUANTITIES
 from catopt.records import Record
 from catopt.sizing.buoy_request import BuoyRequest
+from catopt.sizing.converge import ConvergedSizing, point_diameter
 from catopt.sizing.line_choice import Prefer
 from catopt.sizing.pattern import SinkerGround
-from catopt.sizing.settle import ConvergedSizing, point_diameter
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.words import Cited, Measure, Message, Several, term
 

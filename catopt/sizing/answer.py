@@ -12,15 +12,15 @@ from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Case, LoadCase, Service, Site
-from catopt.model.plausible import NAMES
+from catopt.model.plausible_ranges import NAMES
 from catopt.sizing.alternatives import alternatives, beside, candidates, chain_life, limits
 from catopt.sizing.buoy_request import BuoyRequest
+from catopt.sizing.converge import Assumed, ConvergedSizing
 from catopt.sizing.environment import Environment
 from catopt.sizing.in_motion import InMotion
 from catopt.sizing.line_choice import LineChoice, Prefer, first_line
 from catopt.sizing.pattern import SinkerGround
 from catopt.sizing.result import Sizing, SwingRadius
-from catopt.sizing.settle import Assumed, ConvergedSizing
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.words import Message, Several, is_said, term
 

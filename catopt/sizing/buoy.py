@@ -11,6 +11,7 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import DesignPoint
 from catopt.errors import refused
+from catopt.largest import largest
 from catopt.loads.buoy import check_breaking
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.environment import WaterLevels
@@ -24,10 +25,7 @@ from catopt.sizing.answer import (
     worn_name,
 )
 from catopt.sizing.buoy_request import BuoyRequest
-from catopt.sizing.floating import floats_in_storm
-from catopt.sizing.line_choice import LineChoice, sold
-from catopt.sizing.result import Sizing, SwingPart, SwingRadius
-from catopt.sizing.settle import (
+from catopt.sizing.converge import (
     Assumed,
     ConvergedSizing,
     LoadsAt,
@@ -38,9 +36,11 @@ from catopt.sizing.settle import (
     rounded_up,
     settle,
 )
+from catopt.sizing.floating import floats_in_storm
+from catopt.sizing.line_choice import LineChoice, sold
+from catopt.sizing.maintenance import upkeep_of
+from catopt.sizing.result import Sizing, SwingPart, SwingRadius
 from catopt.sizing.ship_afloat import buoy_afloat
-from catopt.sizing.upkeep import upkeep_of
-from catopt.ties import largest
 from catopt.words import Measure, Message
 
 GROWTH_DENSITY: Final = 1325.0
@@ -55,7 +55,7 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
 
     The loads of wind, current and waves make a case with a storm at high and one at low water; the
     design search finds its best lines. The loads are those on a chain of at least the recommended
-    size and under at least its pull (`catopt.sizing.settle`). InputError: no such chain, a reserve
+    size and under at least its pull (`catopt.sizing.converge`). InputError: no such chain, reserve
     buoyancy below the weight of any chain. NoFeasibleDesignError: nothing that is sold passes.
     BreakingSeaError: CALMAR has no answer where waves break.
     """

@@ -9,11 +9,11 @@ from catopt.loads.buoy_shape import BuoyShape
 from catopt.model.kinds import Findings, exceeds
 from catopt.sizing.environment import Environment
 from catopt.sizing.in_motion import RunsAfloat
+from catopt.sizing.input_values import ReadInput
 from catopt.sizing.kinds import usual
-from catopt.sizing.known import ReadInput
 from catopt.sizing.line_choice import MOST_DEPTHS, LineChoice, unpriced_components
+from catopt.sizing.maintenance import UpkeepInputs
 from catopt.sizing.pattern import SinkerGround
-from catopt.sizing.upkeep import UpkeepInputs
 from catopt.words import Message
 
 

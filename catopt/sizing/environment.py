@@ -14,8 +14,8 @@ from catopt.loads.environment import HEAD_ON, Headings, SeaState, SurfaceCurrent
 from catopt.loads.ship import Ship
 from catopt.loads.weathervane import CLARKE_LEVER, YAW_TYPES, CurrentYaw, Turning, lever_of
 from catopt.model.kinds import Findings
+from catopt.sizing.input_values import ResolvedInputs
 from catopt.sizing.kinds import usual
-from catopt.sizing.known import ResolvedInputs
 from catopt.units import UNITS, Dimension, as_written
 from catopt.words import Message
 

@@ -25,9 +25,9 @@ from catopt.documents import Path, dotted, parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.loads.calmar_file import SUFFIX
 from catopt.sizing.buoy_request import BuoyRequest
+from catopt.sizing.input_values import ResolvedInputs, Spelling, as_keyword, known
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import schema_of
-from catopt.sizing.known import ResolvedInputs, Spelling, as_keyword, known
 from catopt.sizing.requests import request_of, size
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker_request import TankerRequest
@@ -60,7 +60,7 @@ class SizingFile:
 
         `before`: inputs by name, written as `spell`, that go before those of the file: before their
         own, and before what stands in their place; `defaults`, `called`: as for
-        `catopt.sizing.known.known`.
+        `catopt.sizing.input_values.known`.
         """
         inputs = self.inputs(before)
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Final
 
 from catopt.constants import STANDARD_GRAVITY
+from catopt.largest import largest
 from catopt.loads.buoy_heel import heel_at_rest
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model.kinds import Angle, Height, Place, SomeForce
 from catopt.records import Record
-from catopt.ties import largest
 from catopt.words import Message, is_said
 
 if TYPE_CHECKING:

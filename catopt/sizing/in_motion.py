@@ -12,6 +12,7 @@ from catopt.checks.kinds import CHECK_KINDS, ratio_exceedance
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import NearMiss
+from catopt.largest import largest
 from catopt.loads.ship_ranges import Cause
 from catopt.model import Case, Line
 from catopt.model.dynamics import JudgedBy
@@ -30,7 +31,6 @@ from catopt.model.kinds import (
 from catopt.records import Counted as FromOne
 from catopt.records import FromZero, Record, within
 from catopt.sizing.kinds import usual
-from catopt.ties import largest
 from catopt.verify.convergence_check import Change
 from catopt.words import Message, Several
 

@@ -10,8 +10,8 @@ from catopt.casefile.reading import Moored
 from catopt.errors import refused
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest
+from catopt.sizing.input_values import known
 from catopt.sizing.inputs import Input, inputs_of
-from catopt.sizing.known import known
 from catopt.sizing.requests import size
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker

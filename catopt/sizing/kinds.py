@@ -12,7 +12,7 @@ from typing import Annotated, Any
 from catopt.casefile.reading import Moored
 from catopt.casefile.schema import TableSchema
 from catopt.model.kinds import Flag, Kind, Measured, OneOf, Text, Whole
-from catopt.model.plausible import range_of
+from catopt.model.plausible_ranges import range_of
 from catopt.sizing.inputs import Input, inputs_of, rows_of
 from catopt.units import Dimension, as_written, bare_number
 

@@ -20,11 +20,13 @@ from catopt.design.evaluation import sinker_of
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.design.result import DesignPoint
 from catopt.errors import InputError, refused
+from catopt.largest import largest
 from catopt.loads.ship import neighbours
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Anchor, Case
 from catopt.progress import expect
 from catopt.sizing.buoy_request import BuoyRequest
+from catopt.sizing.converge import ConvergedSizing, best_of
 from catopt.sizing.in_motion import (
     Counted,
     InMotion,
@@ -38,19 +40,18 @@ from catopt.sizing.in_motion import (
     sea_of,
 )
 from catopt.sizing.line_choice import LineChoice, sold
-from catopt.sizing.motion_judged import Judged, NoAnswer, judged, largest_heel
+from catopt.sizing.motion_verdicts import Judged, NoAnswer, judged, largest_heel
 from catopt.sizing.pattern import HEAVY_SINKERS
 from catopt.sizing.quick import MOST_LINES, shared_out
-from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import run_in_still_water
-from catopt.ties import largest
 from catopt.verify.case import load_states
 from catopt.verify.convergence_check import largest_changes
 from catopt.verify.dynamic import Wanted, processes_for, run_again, run_once
 from catopt.verify.dynamic_result import DynamicPart, worst_verdict
 from catopt.verify.dynamic_setup import read_drive
 from catopt.verify.hulls import hull_of
-from catopt.verify.judged import (
+from catopt.verify.side_by_side import SECONDS_PER_BAR_AND_STEP, Crew, Threads, silent
+from catopt.verify.verdicts import (
     judged_as,
     line_in_motion,
     mean_heel,
@@ -58,7 +59,6 @@ from catopt.verify.judged import (
     with_more_runs,
     with_verdicts,
 )
-from catopt.verify.side_by_side import SECONDS_PER_BAR_AND_STEP, Crew, Threads, silent
 from catopt.words import Message, Several
 
 _RUNG: Final = 1.08

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple
 
 from catopt.catenary.solve import solve
 from catopt.errors import InputError, NoAnswerError
+from catopt.largest import largest
 from catopt.loads.drag_anchor import DataSet, DragAnchorSize, size_drag_anchor
 from catopt.loads.ship import SINKER_MASSES
 from catopt.loads.sinker import (
@@ -31,7 +32,6 @@ from catopt.mooring.solution import SystemSolution, solution_at
 from catopt.mooring.static_equilibrium import ZeroLoadPosition, zero_load_position
 from catopt.records import Counted, From, Record
 from catopt.sizing.kinds import usual
-from catopt.ties import largest
 from catopt.words import Message, Sentence
 
 if TYPE_CHECKING:

@@ -45,16 +45,16 @@ from catopt.sizing.environment import (
     weathervaning_of,
 )
 from catopt.sizing.in_motion import RunsAfloat
+from catopt.sizing.input_values import ResolvedInputs
 from catopt.sizing.inputs import SINKER
 from catopt.sizing.kinds import usual
-from catopt.sizing.known import ResolvedInputs
 from catopt.sizing.line_choice import LineChoice, sold, unpriced_components
+from catopt.sizing.maintenance import UpkeepInputs
 from catopt.sizing.pattern import CALMAR_SOIL, SAND, DragGround, SinkerGround
 from catopt.sizing.quick import quick_runs
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
-from catopt.sizing.upkeep import UpkeepInputs
 from catopt.sizing.wind import blowing, of_place, of_the_wind, wind_of_30_s
 from catopt.words import Cited, Listed, Message, Several, given_keys, term
 

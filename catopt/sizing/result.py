@@ -12,22 +12,22 @@ from catopt.catalogue.family import chain_words
 from catopt.catenary.solution import Solution
 from catopt.checks.verdict import Judgement
 from catopt.design.result import DesignPoint, DesignResult
+from catopt.display import Displayable, renderers
+from catopt.largest import largest
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Case, Line, LoadCase, Segment
 from catopt.model.kinds import Duration, Factor, Height, Positive, SomeForce, SomeMass
 from catopt.records import Counted, Record
-from catopt.shown import Displayable, renderers
 from catopt.sizing.alternatives import Alternative, Candidate, Limit
+from catopt.sizing.converge import ConvergedSizing, point_diameter
 from catopt.sizing.floating import FloatsInStorm
 from catopt.sizing.in_motion import InMotion
-from catopt.sizing.known import ReadInput, estimated_dimensions, small_craft
+from catopt.sizing.input_values import ReadInput, estimated_dimensions, small_craft
+from catopt.sizing.maintenance import Upkeep
 from catopt.sizing.pattern import Pattern, system_case
-from catopt.sizing.settle import ConvergedSizing, point_diameter
-from catopt.sizing.upkeep import Upkeep
 from catopt.sizing.verdict import judgement_of
-from catopt.ties import largest
 from catopt.units import UNITS, Dimension
 from catopt.waves import breaking_warning
 from catopt.words import Cited, Measure, Message, Sentence, Several, is_said, term

@@ -10,6 +10,7 @@ from typing import Any, Final, Literal, cast, get_args
 
 from catopt.catalogue import component, standard
 from catopt.checks.profiles import profiles_of
+from catopt.largest import largest
 from catopt.loads.buoy import buoys
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.environment import Headings
@@ -38,12 +39,11 @@ from catopt.model import (
 )
 from catopt.model.wear import worn_line
 from catopt.sizing.buoy_request import BuoyRequest
+from catopt.sizing.converge import ConvergedSizing
 from catopt.sizing.environment import LONGEST_MEAN, WIND_MEAN, Environment, Weathervaning, mean_over
 from catopt.sizing.in_motion import RunsAfloat, Sea
 from catopt.sizing.pattern import Pattern, system_case
-from catopt.sizing.settle import ConvergedSizing
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
-from catopt.ties import largest
 
 COMPONENTS: Final = 100
 """Waves of equal energy that the sea consists of: half of the usual, for time."""

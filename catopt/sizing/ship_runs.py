@@ -12,11 +12,13 @@ from typing import Any
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.errors import NoAnswerError, NotConvergedError
+from catopt.largest import largest
 from catopt.loads.environment import Headings
 from catopt.model import Case, Line
 from catopt.sizing.answer import worn_name
+from catopt.sizing.converge import ConvergedSizing
 from catopt.sizing.in_motion import LineTried, RunsAfloat, Sea, in_sea, sea_of, tightest_seas
-from catopt.sizing.motion_judged import (
+from catopt.sizing.motion_verdicts import (
     JudgedLine,
     ShipLost,
     ShipRun,
@@ -26,10 +28,8 @@ from catopt.sizing.motion_judged import (
 )
 from catopt.sizing.pattern import DragGround, Pattern
 from catopt.sizing.quick import lines_of
-from catopt.sizing.settle import ConvergedSizing
 from catopt.sizing.ship_afloat import ship_afloat
 from catopt.sizing.tanker_request import TankerRequest
-from catopt.ties import largest
 from catopt.verify.ship_result import few_cycles, slow_cycles
 from catopt.verify.two_scales import (
     change_at_half_step,

@@ -18,10 +18,12 @@ from typing import Final, NamedTuple
 from catopt.checks.case import check_case
 from catopt.checks.profiles import profiles_of
 from catopt.errors import NoAnswerError, refused
+from catopt.largest import largest
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Line, Segment
 from catopt.progress import expect
+from catopt.sizing.converge import ConvergedSizing, best_of
 from catopt.sizing.in_motion import (
     Counted,
     InMotion,
@@ -30,19 +32,17 @@ from catopt.sizing.in_motion import (
     RunsAfloat,
 )
 from catopt.sizing.line_choice import sold
-from catopt.sizing.motion_judged import (
+from catopt.sizing.motion_verdicts import (
     JudgedLine,
     size_of,
     storm_of,
 )
 from catopt.sizing.pattern import Pattern
 from catopt.sizing.quick import NEAR
-from catopt.sizing.settle import ConvergedSizing, best_of
 from catopt.sizing.ship_afloat import MOTION_CODE, runs_afloat
 from catopt.sizing.ship_band import band_of, basis_of
 from catopt.sizing.ship_runs import Around, Settle, ShipRuns
 from catopt.sizing.tanker_request import TankerRequest
-from catopt.ties import largest
 from catopt.verify.convergence_check import LIMIT
 from catopt.verify.two_scales import (
     with_proof,

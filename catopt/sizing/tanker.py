@@ -10,6 +10,7 @@ from typing import Final, NamedTuple
 from catopt.constants import STANDARD_GRAVITY
 from catopt.design.result import DesignPoint
 from catopt.errors import NoAnswerError
+from catopt.largest import largest
 from catopt.loads.component import Loads
 from catopt.loads.environment import WaterLevels
 from catopt.model import Buoy, ClumpWeightChoice, Design, LoadCase
@@ -21,11 +22,7 @@ from catopt.sizing.answer import (
     sizing_of,
     worn_name,
 )
-from catopt.sizing.environment import turning_words
-from catopt.sizing.line_choice import longest_useful
-from catopt.sizing.pattern import BodyState, DragGround, Pattern, pattern, shared_force
-from catopt.sizing.result import Sizing, SwingPart, SwingRadius
-from catopt.sizing.settle import (
+from catopt.sizing.converge import (
     Assumed,
     ConvergedSizing,
     LoadsAt,
@@ -36,9 +33,12 @@ from catopt.sizing.settle import (
     rounded_up,
     settle,
 )
+from catopt.sizing.environment import turning_words
+from catopt.sizing.line_choice import longest_useful
+from catopt.sizing.pattern import BodyState, DragGround, Pattern, pattern, shared_force
+from catopt.sizing.result import Sizing, SwingPart, SwingRadius
 from catopt.sizing.ship_afloat import runs_quickly, ship_afloat, worst_lying
 from catopt.sizing.tanker_request import MooredShip, TankerRequest
-from catopt.ties import largest
 from catopt.words import Measure, Message
 
 EVERYDAY_SHARE: Final = 0.1
@@ -80,7 +80,7 @@ def sized_tanker(request: TankerRequest) -> Sizing:
     different directions. Of a single line the horizontal force is that of
     the loads. Of several lines around the body it is at first that of the rule of practice of S4;
     the mooring equilibrium then says what the most loaded line carries, and the line is sized anew
-    for no less than that (`catopt.sizing.settle`). InputError: no such chain, a buoy that is pulled
+    for no less than that (`catopt.sizing.converge`). InputError: no such chain, a buoy pulled
     under. NoAnswerError: nothing that is sold passes; the buoy does not carry all lines.
     """
     rest = request.beyond_the_line

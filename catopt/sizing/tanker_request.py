@@ -14,8 +14,8 @@ from catopt.loads.ship_loads import METHODS, TCN
 from catopt.model.kinds import Findings
 from catopt.sizing.environment import SERVICE_TYPES, Environment, ServiceType, Weathervaning
 from catopt.sizing.in_motion import RunsAfloat
+from catopt.sizing.input_values import ReadInput
 from catopt.sizing.kinds import usual
-from catopt.sizing.known import ReadInput
 from catopt.sizing.line_choice import LineChoice, unpriced_components
 from catopt.sizing.pattern import DragGround, SinkerGround
 from catopt.words import Message

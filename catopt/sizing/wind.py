@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from functools import partial
 
-from catopt.loads.places import USUAL_PERIOD, PlaceWind, wind_of_place
+from catopt.loads.design_wind import USUAL_PERIOD, PlaceWind, wind_of_place
 from catopt.sizing.environment import WIND_MEAN, mean_over
-from catopt.sizing.known import ResolvedInputs
+from catopt.sizing.input_values import ResolvedInputs
 from catopt.units import lasting
 from catopt.words import Message
 

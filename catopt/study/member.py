@@ -14,13 +14,13 @@ from catopt.casefile.reading import Moored, case_of, is_network, network_of
 from catopt.casefile.schema import CaseTable, NetworkTable, TableSchema, entries
 from catopt.checks.case import check_case
 from catopt.errors import CatoptError, InputError, refused
+from catopt.largest import largest
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured
 from catopt.model.network import Network
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.sizing.file import SizingFile, file_of, sized
 from catopt.sizing.kinds import schema_of
-from catopt.ties import largest
 from catopt.words import Message
 
 if TYPE_CHECKING:

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any, Final, NamedTuple
 import numpy as np
 
 from catopt.arrays import Array, Codes
+from catopt.display import Displayable
 from catopt.errors import need_package, refused
 from catopt.model.kinds import Share
 from catopt.records import Counted, FromZero, Record
-from catopt.shown import Displayable
 from catopt.study.member import Output
 from catopt.study.reliability import FirstOrder, counted_interval, first_order
 from catopt.study.store import Store

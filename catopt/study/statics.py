@@ -23,7 +23,7 @@ from catopt.model.network import Network
 from catopt.model.system import Leg
 from catopt.mooring.batch import SystemSolutions, solve_system_many
 from catopt.mooring.case import report_system
-from catopt.mooring.held import at_rest as network_at_rest
+from catopt.mooring.fixed_body import at_rest as network_at_rest
 from catopt.mooring.joints import turned_line
 from catopt.mooring.many import solve_network_many
 from catopt.mooring.network_rest import LinesAtRest

@@ -18,13 +18,13 @@ from catopt.fem.solve import TrussSolution, part_of
 from catopt.model import Case
 from catopt.model.network import Network, joined
 from catopt.mooring.chains import Row, in_rows, rows_of
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.joints import Moored, Run, moored, runs_of
 from catopt.mooring.network_rest import BodyAtRest, LinesAtRest
 from catopt.progress import Progress, paced
 from catopt.records import Counted, Record
 from catopt.units import as_written
-from catopt.verify.compared import ORDER, Compared
+from catopt.verify.comparison import ORDER, Compared
 from catopt.verify.convergence_check import ELEMENTS, TOLERANCE, check_settings
 from catopt.verify.line import (
     SLACK,

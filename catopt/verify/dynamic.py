@@ -42,9 +42,9 @@ from catopt.verify.dynamic_lines import (
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 from catopt.verify.dynamic_run import DynamicRun
 from catopt.verify.dynamic_setup import Excitation, check_for_motion, read_drive
-from catopt.verify.judged import with_verdicts
 from catopt.verify.motion_file import energy_beyond
 from catopt.verify.side_by_side import Crew, effort_of, share_of, side_by_side
+from catopt.verify.verdicts import with_verdicts
 from catopt.waves import Sea
 from catopt.words import Message, is_said
 

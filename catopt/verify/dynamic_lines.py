@@ -37,7 +37,7 @@ from catopt.hydro.build import SteppedHull
 from catopt.model import Load
 from catopt.model.dynamics import InitialFriction
 from catopt.model.network import Network
-from catopt.mooring import held, network_rest
+from catopt.mooring import fixed_body, network_rest
 from catopt.mooring.solution import solve_system
 from catopt.verify.dynamic_result import Between
 from catopt.verify.dynamic_setup import Excitation, section_of
@@ -321,7 +321,7 @@ class LinesOfPoints:
     def at_rest(cls, drive: Excitation) -> LinesOfPoints:
         """Bring joints and bodies to rest in closed form; FloatsUpError: a float at the surface."""
         assert isinstance(drive.case, Network)
-        rest = held.at_rest(drive.case)
+        rest = fixed_body.at_rest(drive.case)
         for each in rest.floats:
             if each.lost > 0.0:
                 raise FloatsUpError(Message("motion.float_at_the_surface", name=each.name))

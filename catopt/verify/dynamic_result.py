@@ -13,6 +13,7 @@ import numpy as np
 
 from catopt.arrays import Array
 from catopt.checks.result import ChecksInMotion
+from catopt.display import Displayable
 from catopt.fem.extremes import (
     Extreme,
     GumbelFit,
@@ -22,14 +23,13 @@ from catopt.fem.extremes import (
     weibull_tail,
 )
 from catopt.fem.extremes import gumbel as gumbel_of
+from catopt.largest import largest
 from catopt.model import Case, Line
 from catopt.model.dynamics import InitialFriction
 from catopt.model.kinds import Duration, Height, NotNegative, SomeForce
 from catopt.model.network import Network
 from catopt.old_names import OldName
 from catopt.records import Counted, From, Record
-from catopt.shown import Displayable
-from catopt.ties import largest
 from catopt.verify.convergence_check import (
     LEAST_CYCLES,
     LEAST_TENSION,
@@ -52,7 +52,7 @@ from catopt.verify.dynamic_run import (
     quantities_of_hull,
 )
 from catopt.verify.dynamic_setup import Excitation
-from catopt.verify.minutes import BLOCK, LEAST_BLOCKS, minutes_of, paired_changes
+from catopt.verify.snap_rerun import BLOCK, LEAST_BLOCKS, minutes_of, paired_changes
 from catopt.words import Message
 
 Verdict = Literal["converged", "not converged", "not proven"]

@@ -14,6 +14,7 @@ from catopt.checks.fatigue import FatigueStrength, design_factor, fatigue_streng
 from catopt.checks.kinds import CheckSource
 from catopt.constants import YEAR
 from catopt.errors import InputError, refused
+from catopt.largest import largest
 from catopt.model import Case, FatigueSeaState, Segment
 from catopt.model.dynamics import share_misfits
 from catopt.model.kinds import Force, NotNegative, Place, Positive, Share
@@ -21,7 +22,6 @@ from catopt.old_names import renamed
 from catopt.progress import Progress
 from catopt.records import Counted, From, FromZero, Record
 from catopt.tables import Column, read_numbers, read_sheet
-from catopt.ties import largest
 from catopt.units import Dimension
 from catopt.verify.case import load_states
 from catopt.verify.convergence_check import LIMIT, ConvergenceCheck

@@ -23,7 +23,7 @@ from catopt.model import Case, Line, System
 from catopt.model.line import StrainTable
 from catopt.mooring.network_rest import BodyAtRest
 from catopt.mooring.solution import SystemSolution, solve_system
-from catopt.verify.compared import ORDER, Compared, Unit
+from catopt.verify.comparison import ORDER, Compared, Unit
 from catopt.verify.result import LinePair, Mesh, StaticComparison, largest_distances
 from catopt.words import Message, Several
 

@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING, Final
 
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.units import lasting
-from catopt.verify.compared import ORDER, ROUNDING
+from catopt.verify.comparison import ORDER, ROUNDING
 from catopt.verify.convergence_check import LIMIT, OF_MBL, Change
 from catopt.words import Listed, Measure, Message, Several
 
 if TYPE_CHECKING:
     from catopt.fem import Extreme
-    from catopt.verify.compared import Compared
+    from catopt.verify.comparison import Compared
     from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
     from catopt.verify.result import StaticComparison
 

@@ -13,15 +13,15 @@ import numpy as np
 from catopt.arrays import Array
 from catopt.catenary.layout import end_of, tension_at
 from catopt.catenary.solution import Solution
+from catopt.display import Displayable
 from catopt.fem import SystemSolution, TrussSolution
 from catopt.fem.network import NetworkSolution
+from catopt.largest import largest
 from catopt.model import Case
 from catopt.model.kinds import Angle, Force, Height, Moment, NotNegative, Place, Positive
 from catopt.model.network import Network
 from catopt.records import Counted, From, FromZero, Record
-from catopt.shown import Displayable
-from catopt.ties import largest
-from catopt.verify.compared import ORDER, ROUNDING, Compared, worst_of
+from catopt.verify.comparison import ORDER, ROUNDING, Compared, worst_of
 
 __all__ = [
     "VERDICTS",

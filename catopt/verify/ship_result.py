@@ -23,11 +23,11 @@ from catopt.floater.two_scales import (
     ShipHistory,
 )
 from catopt.hydro.coefficients import FREEDOMS
+from catopt.largest import first_largest, largest
 from catopt.model import Case, Motion
 from catopt.model.dynamics import Dynamics, JudgedBy
 from catopt.model.kinds import Angle, Duration, SomeForce, Strength, Time
 from catopt.records import Counted, Record
-from catopt.ties import first_largest, largest
 from catopt.units import lasting
 from catopt.verify.convergence_check import Change
 from catopt.verify.motion_file import energy_beyond

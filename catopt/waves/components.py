@@ -10,7 +10,7 @@ import numpy as np
 
 from catopt.arrays import Array, Flags
 from catopt.errors import InputError, Problem
-from catopt.model.given import array_in_si
+from catopt.model.array_inputs import array_in_si
 from catopt.model.kinds import Findings
 from catopt.words import Listed, Message
 

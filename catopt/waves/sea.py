@@ -14,7 +14,7 @@ import numpy.typing as npt
 
 from catopt.arrays import Array
 from catopt.compiled import compiled
-from catopt.model.given import array_in_si
+from catopt.model.array_inputs import array_in_si
 from catopt.model.kinds import Findings
 from catopt.waves.components import Waves
 from catopt.waves.kinematics import NEGLIGIBLE, Flow, fill_elevation, fill_kinematics

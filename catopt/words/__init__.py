@@ -11,8 +11,9 @@ Kinds of messages:
   titles of published studies (`catopt.catalogue.table.TomlTable.said`).
 - `Measure` is a value with its unit, `Cited` what is the same in every language.
 
-An error has its message as ``error.message``; ``str(error)`` is English. `catopt.words.saved` keeps
-the messages of a JSON document beside it (``messages`` of ``design.json``) and puts them back.
+An error has its message as ``error.message``; ``str(error)`` is English. The messages of a JSON
+document stand beside it (``messages`` of ``design.json``): `catopt.words.message_records` puts them
+back.
 
 The groups of texts that are no sentences:
 

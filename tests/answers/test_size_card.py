@@ -26,7 +26,7 @@ from catopt.quantities import Units
 from catopt.render.card import LINES, WIDTH, card_lines
 from catopt.render.values import UNITS
 from catopt.sizing import Sizing
-from catopt.sizing.known import ResolvedInputs, known
+from catopt.sizing.input_values import ResolvedInputs, known
 from catopt.sizing.requests import size
 from catopt.words import LANGUAGES, Language, Message, Told, say
 from tests.sizing.at_rest import size_buoy, size_tanker

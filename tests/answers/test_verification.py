@@ -17,7 +17,7 @@ from catopt.answers.verification import (
 from catopt.figures.motion import comparison
 from catopt.report.bundle import verification_pictures
 from catopt.verify.case import Design, verify_case, verify_front
-from catopt.verify.compared import ROUNDING
+from catopt.verify.comparison import ROUNDING
 from catopt.verify.motion_words import QUANTITY_OF, in_parts, name_of, part_sentence, rough_sentence
 from catopt.verify.result import StaticComparison, Verification
 from tests.cli.conftest import FSO

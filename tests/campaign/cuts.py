@@ -12,7 +12,7 @@ from catopt.catenary.solve import solve
 from catopt.errors import CatoptError, InputError
 from catopt.model import Line, PointLoad, Segment, Site
 from catopt.model.network import LineBetween, Network, Point
-from catopt.mooring.held import hold
+from catopt.mooring.fixed_body import hold
 
 SECONDS = 1.0
 

@@ -25,7 +25,7 @@ from catopt.errors import CatoptError, FloatsUpError, NoEquilibriumError, NotCon
 from catopt.model import Site
 from catopt.model.network import Network, Point
 from catopt.mooring.chains import rows_of
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.joints import Vector, turned_line
 from catopt.mooring.network_rest import LinesAtRest
 from tests.campaign.networks import counted, drawn

@@ -9,7 +9,7 @@ from dataclasses import replace
 import pytest
 
 from catopt.errors import NoEquilibriumError
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from tests.campaign.network_check import faults_of_answer, faults_of_refusal, judge
 from tests.campaign.networks import drawn
 

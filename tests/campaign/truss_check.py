@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from catopt.errors import FloatsUpError, NoEquilibriumError, NotConvergedError
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from catopt.verify.case import verify_network
 from tests.campaign.networks import counted, drawn
 

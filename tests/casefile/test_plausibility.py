@@ -28,7 +28,7 @@ from catopt.model import (
     WaveTrain,
 )
 from catopt.model.kinds import OneOf, annotated
-from catopt.model.plausible import RANGES
+from catopt.model.plausible_ranges import RANGES
 from catopt.sizing.file import parse_file
 
 CASE = """

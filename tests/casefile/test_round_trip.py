@@ -43,7 +43,7 @@ from catopt.model.design import FIND_QUANTITIES, OBJECTIVES, SearchMethod
 from catopt.model.dynamics import INITIAL_FRICTION, JudgedBy, TimeScheme
 from catopt.model.kinds import COUNTS
 from catopt.model.load import LoadCaseKind
-from catopt.model.plausible import NAMES, accepting
+from catopt.model.plausible_ranges import NAMES, accepting
 from catopt.model.sea import WAVE_SPECTRA, Stretching
 
 POSITIVE = st.floats(min_value=1e-3, max_value=100.0)

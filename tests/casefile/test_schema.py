@@ -60,7 +60,7 @@ from catopt.model.anchor import ANCHOR_KINDS
 from catopt.model.design import OBJECTIVES
 from catopt.model.kinds import Flag, Kind, Measured, OneOf, Text, Whole
 from catopt.model.line import DragMethod
-from catopt.model.plausible import NAMES, Plausible
+from catopt.model.plausible_ranges import NAMES, Plausible
 from catopt.model.sea import OF_A_BODY
 from catopt.units import UNITS, Dimension, implausible
 

@@ -16,7 +16,7 @@ from catopt.errors import NotConvergedError
 from catopt.model import Anchor, Checks, Service, Site
 from catopt.model.network import LineBetween, Network, Point
 from catopt.mooring import network_out
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.network_out import each_line_out
 from catopt.mooring.network_rest import LinesAtRest
 

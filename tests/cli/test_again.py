@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from catopt.notes.again import read_written_note
+from catopt.notes.note_comparison import read_written_note
 
 from .conftest import Run
 

@@ -27,7 +27,7 @@ from catopt.loads.ship_coefficients import TYPES
 from catopt.loads.sinker import SOIL_FRICTION
 from catopt.model import Line, Load, PointLoad, Segment
 from catopt.mooring.case import report_system
-from catopt.verify.compared import Compared, Unit
+from catopt.verify.comparison import Compared, Unit
 from catopt.verify.motion_words import part_sentence, rough_sentence
 from catopt.waves import Sea, jonswap, random_waves
 from catopt.words import Message, is_term, say, term

@@ -12,7 +12,7 @@ from catopt.casefile import parse_case, template, write_case
 from catopt.casefile.reading import parse_network
 from catopt.figures.mooring import network_plan, network_side
 from catopt.model import Checks
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from catopt.notes.origin import Asked
 from catopt.notes.system import read_network_note
 from tests.checks.test_network import CHECKS, FILE, leg

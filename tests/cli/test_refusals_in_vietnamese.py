@@ -14,7 +14,7 @@ from catopt.casefile.schema import entries
 from catopt.casefile.writing import TEMPLATES
 from catopt.catalogue import standard
 from catopt.cli.app import _PLACES
-from catopt.export.exported import Format
+from catopt.export.export_result import Format
 from catopt.loads.buoy import buoys
 from catopt.loads.drag_anchor import ANCHORS, SOILS
 from catopt.loads.ship_coefficients import TYPES

@@ -25,7 +25,7 @@ from catopt.casefile import parse_case
 from catopt.decks.reading import Asked, read_any_deck
 from catopt.fem.solve import solve_line
 from catopt.model.network import Network
-from catopt.mooring.held import hold
+from catopt.mooring.fixed_body import hold
 
 BROUGHT = Path(__file__).parent / "brought"
 

@@ -13,7 +13,7 @@ from catopt.casefile import read_mooring, write_case
 from catopt.casefile.reading import read_case_or_design
 from catopt.decks.reading import Asked, read_any_deck, read_deck
 from catopt.model.network import Network
-from catopt.mooring.held import hold
+from catopt.mooring.fixed_body import hold
 from tests.decks.own import BRIDLE, MAP_BRIDLE, MOORDYN
 
 SITE = Asked(9.81, 1025.0, 350.0)

@@ -13,7 +13,7 @@ from catopt import InputError
 from catopt.decks.deck import Notes
 from catopt.decks.reading import Asked, is_deck, read_deck
 from catopt.decks.tree import parse_yaml
-from catopt.export.exported import exported_lines
+from catopt.export.export_result import exported_lines
 from catopt.export.programs import program_input
 from catopt.words import say
 from tests.decks.own import ONTOLOGY, problems, said

@@ -8,7 +8,7 @@ import pytest
 
 from catopt import solve_case
 from catopt.decks.reading import Asked, is_deck, read_deck
-from catopt.export.exported import exported_lines
+from catopt.export.export_result import exported_lines
 from catopt.export.programs import program_input
 from catopt.words import say
 from tests.decks.own import C06, problems, said

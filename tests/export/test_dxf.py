@@ -11,7 +11,7 @@ import pytest
 
 from catopt import Case, Line, Load, PointLoad, Segment, Site, read_case, solve
 from catopt.export.dxf import LAYERS, dxf_drawing
-from catopt.export.exported import Exported, Source, exported_lines
+from catopt.export.export_result import Exported, Source, exported_lines
 
 from .cases import FSO, chain_and_wire, tanker
 

@@ -10,7 +10,7 @@ import pytest
 from catopt import Case, Line, Load, PointLoad, Segment, Site, System, read_case
 from catopt._version import identity
 from catopt.errors import InputError
-from catopt.export.exported import Exported, Source, exported_lines, rigid_segments
+from catopt.export.export_result import Exported, Source, exported_lines, rigid_segments
 from catopt.export.moordyn import moordyn_input
 from catopt.model import CurrentProfile, Dynamics, Motion
 

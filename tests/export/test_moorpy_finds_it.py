@@ -12,7 +12,7 @@ import pytest
 import yaml
 
 from catopt import Case, read_case
-from catopt.export.exported import ExportedLines, exported_lines
+from catopt.export.export_result import ExportedLines, exported_lines
 from catopt.export.moordyn import moordyn_input
 from catopt.export.moordyn_model import is_above
 from catopt.export.programs import program_input

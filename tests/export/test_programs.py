@@ -12,7 +12,7 @@ from catopt import Case, InputError, Line, Load, PointLoad, Segment, Site, read_
 from catopt.decks.deck import Deck, Notes
 from catopt.decks.mappp import parse_mappp
 from catopt.decks.reading import read_deck
-from catopt.export.exported import Source, exported_lines
+from catopt.export.export_result import Source, exported_lines
 from catopt.export.moordyn import moordyn_input
 from catopt.export.moordyn_model import model_of
 from catopt.export.programs import PROGRAMS, ProgramFormat, deck_of, program_input

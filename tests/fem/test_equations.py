@@ -13,7 +13,7 @@ from catopt.fem import Bed, Current, DragSection, Water, mesh_line
 from catopt.fem.banded import DIAGONAL, REACH, WIDTH, back_substitute, eliminate
 from catopt.fem.loads import bar_loads
 from catopt.fem.mesh import Problem, build, one_point, straight
-from catopt.fem.resting import BarLoads, Law, Net, State
+from catopt.fem.static_model import BarLoads, Law, Net, State
 from catopt.fem.step import assemble
 from catopt.model import Line, PointLoad, Segment
 

@@ -8,7 +8,7 @@ import pytest
 from catopt.fem.mesh import mesh_line
 from catopt.fem.network import LineEnd, MeetingPoint, solve_network
 from catopt.model import Line, Segment
-from catopt.mooring.held import hold
+from catopt.mooring.fixed_body import hold
 from catopt.mooring.network_rest import NetworkAtRest
 from catopt.reproduce.items import published
 from catopt.reproduce.reference_moorings import SURGE, network_of

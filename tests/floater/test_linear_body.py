@@ -15,7 +15,7 @@ from catopt.errors import InputError
 from catopt.floater.linear_body import LinearBody
 from catopt.hydro.coefficient_files import read_wamit
 from catopt.hydro.coefficients import Coefficients, Memory
-from catopt.mooring.held import at_displacement
+from catopt.mooring.fixed_body import at_displacement
 from catopt.waves import regular_wave
 from tests.mooring.test_held import held
 

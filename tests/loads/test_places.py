@@ -8,7 +8,7 @@ import pytest
 
 from catopt.constants import YEAR
 from catopt.errors import InputError
-from catopt.loads.places import FACTORS, PLACES, ZONES, wind_of_place
+from catopt.loads.design_wind import FACTORS, PLACES, ZONES, wind_of_place
 
 
 def test_speeds_of_zones_follow_from_their_pressures() -> None:

@@ -7,7 +7,7 @@ import pytest
 from catopt.errors import InputError, NoAnswerError
 from catopt.loads import size_sinker
 from catopt.loads.component import LoadSource
-from catopt.loads.held import sinkers_held
+from catopt.loads.holding_table import sinkers_held
 from catopt.loads.sinker import (
     ADHESION,
     SOIL_FRICTION,

@@ -16,7 +16,7 @@ from catopt.checks.system import check_network
 from catopt.model import Checks, Site
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.mooring.case import at_levels
-from catopt.mooring.held import at_rest, hold
+from catopt.mooring.fixed_body import at_rest, hold
 from catopt.mooring.network_out import each_line_out
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.mooring.restoring import offset_curve, restoring_curve, watch_circle

@@ -19,7 +19,7 @@ from catopt.errors import FloatsUpError
 from catopt.model import Checks, Site
 from catopt.model.network import LineBetween, Network, Point
 from catopt.model.sea import CurrentProfile
-from catopt.mooring.held import at_rest, hold
+from catopt.mooring.fixed_body import at_rest, hold
 from catopt.mooring.network_out import each_line_out
 from catopt.mooring.network_rest import FloatsInCurrent
 

@@ -12,7 +12,7 @@ from catopt.constants import STANDARD_GRAVITY as G
 from catopt.errors import FloatsUpError, NoEquilibriumError
 from catopt.model import Site
 from catopt.model.network import LineBetween, MooredBody, Network, Point
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.network_out import each_line_out
 from catopt.mooring.network_rest import LinesAtRest
 from tests.campaign.network_check import faults_of_answer

@@ -9,7 +9,7 @@ import pytest
 
 from catopt import Line, PointLoad, Segment, System, solve_system
 from catopt.errors import InputError, NoEquilibriumError
-from catopt.mooring.held import at_displacement
+from catopt.mooring.fixed_body import at_displacement
 from catopt.mooring.network_rest import FREEDOMS, HeldBody
 
 from .layouts import unequal_legs

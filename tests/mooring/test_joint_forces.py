@@ -12,7 +12,7 @@ from catopt.casefile.reading import parse_network
 from catopt.casefile.writing import write_case
 from catopt.model import Site
 from catopt.model.network import LineBetween, Network, Point
-from catopt.mooring.held import hold
+from catopt.mooring.fixed_body import hold
 
 DEPTH = 500.0
 

@@ -10,7 +10,7 @@ import pytest
 from catopt import InputError, Line, NoEquilibriumError, PointLoad, Segment, solve
 from catopt.model import Site
 from catopt.model.network import LineBetween, Network, Point
-from catopt.mooring.held import hold
+from catopt.mooring.fixed_body import hold
 from catopt.mooring.network_rest import NetworkAtRest
 from catopt.mooring.rest import TOLERANCE
 from catopt.reproduce.items import published

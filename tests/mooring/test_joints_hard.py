@@ -14,7 +14,7 @@ from catopt.catenary.pieces import LineProblem
 from catopt.model import Line, PointLoad, Segment
 from catopt.model.network import Network
 from catopt.mooring.chains import rows_of
-from catopt.mooring.held import hold
+from catopt.mooring.fixed_body import hold
 from catopt.mooring.joints import Ends, Vector, ends_of, fixed_net, hung, run_of
 from catopt.mooring.net import room_for
 from tests.campaign.cuts import bridle_fault, fault

@@ -12,7 +12,7 @@ from catopt import Line, Segment
 from catopt.errors import NoEquilibriumError
 from catopt.model import Site
 from catopt.model.network import LineBetween, MooredBody, Network, Point
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.many import NetworkSolutions, solve_network_many
 from tests.campaign.networks import drawn
 

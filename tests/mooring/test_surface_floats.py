@@ -16,7 +16,7 @@ from catopt.constants import STANDARD_GRAVITY as G
 from catopt.errors import FloatsUpError
 from catopt.model import Site
 from catopt.model.network import LineBetween, MooredBody, Network, Point
-from catopt.mooring.held import at_rest, hold
+from catopt.mooring.fixed_body import at_rest, hold
 from catopt.mooring.many import solve_network_many
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.verify.case import verify_network

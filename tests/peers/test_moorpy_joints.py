@@ -18,7 +18,7 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import CatoptError
 from catopt.model import Line, Segment, Site
 from catopt.model.network import LineBetween, Network, Point
-from catopt.mooring.held import at_rest, hold
+from catopt.mooring.fixed_body import at_rest, hold
 from catopt.mooring.joints import Vector
 from catopt.mooring.network_rest import LinesAtRest
 from tests.decks.own import BRIDLE

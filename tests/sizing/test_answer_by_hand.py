@@ -23,8 +23,8 @@ from catopt.sizing import (
     size_buoy,
     size_tanker,
 )
+from catopt.sizing.converge import Assumed
 from catopt.sizing.kinds import usual
-from catopt.sizing.settle import Assumed
 from tests.sizing.test_consistency import LOADED, deep, place
 
 SOLVED = 1e-9

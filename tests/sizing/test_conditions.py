@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from catopt.errors import InputError
-from catopt.sizing.settle import Assumed
+from catopt.sizing.converge import Assumed
 from catopt.sizing.tanker import pose_tanker
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.words import is_said, say

@@ -31,9 +31,9 @@ from catopt.sizing import (
     Sizing,
     TankerRequest,
 )
+from catopt.sizing.converge import Assumed, rounded_up
 from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import PREFERENCES
-from catopt.sizing.settle import Assumed, rounded_up
 from tests.sizing.alone import alone
 from tests.sizing.at_rest import size_buoy, size_tanker
 

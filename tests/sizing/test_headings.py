@@ -13,7 +13,7 @@ from catopt.errors import InputError
 from catopt.loads import YAW_TYPES, Afloat, Headings, Turning, every_lying
 from catopt.notes.line import Given, size_note
 from catopt.notes.origin import Asked
-from catopt.sizing.known import known
+from catopt.sizing.input_values import known
 from catopt.sizing.requests import request_of
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker_request import TankerRequest

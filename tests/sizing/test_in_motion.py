@@ -14,8 +14,8 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-import catopt.sizing.motion_judged as judging
 import catopt.sizing.motion_search as searching
+import catopt.sizing.motion_verdicts as judging
 from catopt.answers.size import size_answer
 from catopt.casefile import parse_case, write_case
 from catopt.checks.case import check_case
@@ -37,13 +37,13 @@ from catopt.sizing.in_motion import (
     RunsAfloat,
     Storm,
 )
-from catopt.sizing.known import known
+from catopt.sizing.input_values import known
 from catopt.sizing.line_choice import LineChoice, sold
 from catopt.sizing.requests import request_of
 from catopt.sizing.result import Sizing
 from catopt.sizing.ship_afloat import MOST_SLIDE, buoy_afloat, run_in_still_water
 from catopt.verify.dynamic import verify_dynamic
-from catopt.verify.judged import way_of
+from catopt.verify.verdicts import way_of
 from catopt.words import Language, Message
 from tests.sizing.alone import alone
 from tests.sizing.at_rest import size_buoy

@@ -23,9 +23,9 @@ from catopt.model.kinds import Measured
 from catopt.sizing import Environment, SinkerGround, TankerRequest
 from catopt.sizing.environment import SERVICE_TYPES
 from catopt.sizing.file import read_file, read_sizing
+from catopt.sizing.input_values import ReadInput, ResolvedInputs, known
 from catopt.sizing.inputs import INPUTS, Input, inputs_of, rows_of
 from catopt.sizing.kinds import from_text, kind_of, schema_of, usual
-from catopt.sizing.known import ReadInput, ResolvedInputs, known
 from catopt.sizing.line_choice import PREFERENCES
 from catopt.sizing.requests import request_of, size
 from catopt.units import as_written

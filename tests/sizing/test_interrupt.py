@@ -12,7 +12,7 @@ from catopt.__main__ import main
 from catopt.design.result import DesignResult
 from catopt.design.search import design_case
 from catopt.model import Case
-from catopt.sizing import settle
+from catopt.sizing import converge
 
 
 def _stop(*_: object) -> None:
@@ -32,7 +32,7 @@ def _pressed_before_any_passes(case: Case) -> DesignResult:
 def test_a_sizing_stopped_in_its_search_is_stopped(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path, search: Callable[[Case], DesignResult]
 ) -> None:
-    monkeypatch.setattr(settle, "design_case", search)
+    monkeypatch.setattr(converge, "design_case", search)
     asked = ["size", "tanker", "--dwt", "50000t", "--depth", "20m", "--at-rest", "--out"]
     assert main([*asked, str(tmp_path / "out")]) == 130
     assert not list(tmp_path.glob("out/*"))

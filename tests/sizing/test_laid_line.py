@@ -11,7 +11,7 @@ from typing import Any
 
 import catopt.sizing.ship_search as searching
 from catopt.model import Line
-from catopt.sizing.known import known
+from catopt.sizing.input_values import known
 from catopt.sizing.line_choice import sold
 from catopt.sizing.requests import request_of
 

@@ -14,7 +14,7 @@ from catopt.casefile import parse_case, write_case
 from catopt.errors import InputError
 from catopt.loads import SurfaceCurrent, Wind, parse_ship_coefficients, ship_loads
 from catopt.loads.environment import Headings, SeaState
-from catopt.sizing.known import known
+from catopt.sizing.input_values import known
 from catopt.sizing.requests import request_of
 from catopt.sizing.result import Sizing
 from catopt.sizing.ship_afloat import ship_afloat

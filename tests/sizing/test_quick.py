@@ -11,7 +11,7 @@ from catopt.checks.kinds import CheckSource
 from catopt.checks.result import CheckResult
 from catopt.errors import InputError
 from catopt.sizing.in_motion import with_margin
-from catopt.sizing.known import known
+from catopt.sizing.input_values import known
 from catopt.sizing.quick import quick_runs, shared_out
 from catopt.sizing.requests import request_of
 

@@ -25,8 +25,8 @@ from catopt.sizing import (
     Sizing,
     TankerRequest,
 )
+from catopt.sizing.converge import ConvergedSizing
 from catopt.sizing.kinds import usual
-from catopt.sizing.settle import ConvergedSizing
 from tests.sizing.alone import alone
 from tests.sizing.at_rest import size_buoy, size_tanker
 from tests.sizing.test_consistency import LOADED, deep

@@ -11,10 +11,10 @@ from catopt.errors import InputError
 from catopt.loads import BuoyShape
 from catopt.sizing import BuoyRequest, DragGround, GivenBuoy, SinkerGround, TankerRequest
 from catopt.sizing.buoy import growth_weight, pose_buoy
-from catopt.sizing.known import known
+from catopt.sizing.converge import Assumed
+from catopt.sizing.input_values import known
 from catopt.sizing.line_choice import sold
 from catopt.sizing.requests import request_of
-from catopt.sizing.settle import Assumed
 from tests.sizing.at_rest import size_buoy, size_tanker
 
 SHIP: dict[str, Any] = {"length": 200.0, "breadth": 32.0, "draught": 12.0, "depth": 20.0}

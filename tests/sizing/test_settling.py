@@ -11,7 +11,7 @@ import pytest
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.errors import NotConvergedError
 from catopt.sizing import LineChoice
-from catopt.sizing.settle import Assumed, ConvergedSizing, settle
+from catopt.sizing.converge import Assumed, ConvergedSizing, settle
 
 CHOICE = LineChoice(("chain studless R3",), "break/5")
 Needs = Callable[[float], float | None]
@@ -31,7 +31,7 @@ def settled(
             raise NoFeasibleDesignError("none", None)
         return found
 
-    patched.setattr("catopt.sizing.settle._best", best)
+    patched.setattr("catopt.sizing.converge._best", best)
 
     def pose(assumed: Assumed) -> Any:
         return SimpleNamespace(case=assumed.pull)

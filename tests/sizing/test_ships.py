@@ -9,9 +9,9 @@ import pytest
 
 from catopt.errors import InputError
 from catopt.loads.ship_coefficients import SQUARE_ENDED
+from catopt.sizing.converge import Assumed
 from catopt.sizing.environment import SERVICE_TYPES, ServiceType, demands, left_out, mean_over
 from catopt.sizing.file import read_sizing
-from catopt.sizing.settle import Assumed
 from catopt.sizing.tanker import pose_tanker
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.words import is_said, say

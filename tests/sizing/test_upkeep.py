@@ -7,7 +7,13 @@ import math
 import pytest
 
 from catopt.constants import YEAR
-from catopt.sizing.upkeep import ChainZone, UpkeepInputs, published_rates, renewals, thrash_ends
+from catopt.sizing.maintenance import (
+    ChainZone,
+    UpkeepInputs,
+    published_rates,
+    renewals,
+    thrash_ends,
+)
 from tests.sizing.at_rest import size_buoy
 
 MM_A_YEAR = 1e-3 / YEAR

@@ -9,7 +9,7 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError
 from catopt.render.files import csv_files
 from catopt.sizing.environment import mean_over
-from catopt.sizing.known import known
+from catopt.sizing.input_values import known
 from catopt.sizing.requests import request_of
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker_request import TankerRequest

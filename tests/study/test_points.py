@@ -12,7 +12,7 @@ from catopt.casefile import write_case
 from catopt.checks.system import check_network
 from catopt.model import Checks
 from catopt.model.network import Network
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from catopt.study.file import read_study
 from catopt.study.member import read_member
 from catopt.study.result import StudyResult

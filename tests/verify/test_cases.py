@@ -16,7 +16,7 @@ from catopt.model import LoadCase
 from catopt.schemas import schema
 from catopt.verify import case as front_module
 from catopt.verify.case import Design, verify_case, verify_front
-from catopt.verify.compared import ROUNDING
+from catopt.verify.comparison import ROUNDING
 from catopt.verify.result import Verification
 
 from .cases import CASES

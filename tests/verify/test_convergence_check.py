@@ -28,8 +28,8 @@ from catopt.verify.convergence_check import LIMIT, Change, ConvergenceCheck
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 from catopt.verify.dynamic_setup import Excitation
-from catopt.verify.judged import beyond_MBL, with_verdicts
 from catopt.verify.motion_words import motion_sentences, proof_sentences
+from catopt.verify.verdicts import beyond_MBL, with_verdicts
 
 # 38 mm studless chain, to three digits, in 20 m of water.
 CHAIN = Segment(

@@ -13,7 +13,7 @@ from catopt.answers.size_card import proof_words
 from catopt.arrays import Array
 from catopt.verify.convergence_check import LIMIT, Change, added, largest_changes
 from catopt.verify.dynamic_result import DynamicPart
-from catopt.verify.minutes import paired_change
+from catopt.verify.snap_rerun import paired_change
 
 SEEDS, MINUTES = 3, 9
 

@@ -14,7 +14,7 @@ from catopt import InputError, Line, Segment
 from catopt.casefile import read_mooring
 from catopt.model import CurrentProfile, Site
 from catopt.model.network import LineBetween, MooredBody, Network, Point
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from catopt.schemas import schema
 from catopt.verify import case as by_both
 from catopt.verify.case import verify_network

@@ -12,7 +12,7 @@ from catopt.casefile import write_case
 from catopt.casefile.reading import parse_mooring, parse_network
 from catopt.checks.case import check_strengths
 from catopt.model.network import Network
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.network_out import each_line_out
 from catopt.notes.motion import checks_in_motion
 from catopt.verify.dynamic import verify_dynamic

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from catopt.verify.compared import Compared, extrapolated, observed_order
+from catopt.verify.comparison import Compared, extrapolated, observed_order
 
 
 def by(values: tuple[float, ...], **changes: object) -> Compared:

@@ -34,7 +34,7 @@ from catopt.words import (
     term,
 )
 from catopt.words.message import group, groups
-from catopt.words.saved import messages_in, with_messages
+from catopt.words.message_records import messages_in, with_messages
 
 PACKAGE = Path(catopt.__file__).parent
 TEXTS = {f"{name}.{key}": text for name in groups() for key, text in group(name).items()}

@@ -8,7 +8,7 @@ import catopt
 from catopt.loads.buoy import buoy, buoys
 from catopt.loads.drag_anchor import SOILS
 from catopt.loads.sinker import ADHESION, SOIL_FRICTION, soil_named
-from catopt.sizing.known import known
+from catopt.sizing.input_values import known
 from catopt.words import say, term, typed_name
 from catopt.words.message import group, shown_name
 

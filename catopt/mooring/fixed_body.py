@@ -19,7 +19,7 @@ from catopt.errors import (
 )
 from catopt.model import CurrentProfile, Site, System
 from catopt.model.network import LineBetween, MooredBody, Network, Point
-from catopt.model.plausible import NAMES
+from catopt.model.plausible_ranges import NAMES
 from catopt.mooring.chains import Row, apart, check_afloat, check_floats, in_rows, rows_of
 from catopt.mooring.joints import (
     UNIT,
@@ -74,7 +74,7 @@ def at_displacement(
     --------
     >>> from math import radians
     >>> from catopt import Line, Segment, System
-    >>> from catopt.mooring.held import at_displacement
+    >>> from catopt.mooring.fixed_body import at_displacement
     >>> chain = Line([Segment(902.2, 698.0945, EA=384.243e6)])
     >>> spar = System.around(chain, azimuths=[0.0, radians(120.0), radians(240.0)],
     ...                      anchor_radius=853.87, fairlead_radius=5.2, fairlead_height=250.0)
@@ -117,7 +117,7 @@ def hold(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> Netw
     >>> from catopt import Line, Segment
     >>> from catopt.model import Site
     >>> from catopt.model.network import LineBetween, MooredBody, Network, Point
-    >>> from catopt.mooring.held import hold
+    >>> from catopt.mooring.fixed_body import hold
     >>> rope = Line([Segment(5.0, 0.01, EA=1e9)])
     >>> points = [Point("port", "anchor", -4.0, 0.0, 10.0),
     ...           Point("buoy", "joint", submerged_weight=-5e3),
@@ -205,7 +205,7 @@ def at_rest(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> L
     >>> from catopt import Line, Segment
     >>> from catopt.model import Site
     >>> from catopt.model.network import LineBetween, MooredBody, Network, Point
-    >>> from catopt.mooring.held import at_rest
+    >>> from catopt.mooring.fixed_body import at_rest
     >>> chain = Line([Segment(220.0, 1000.0, EA=4e8)])
     >>> points = [Point("east", "anchor", 200.0, 0.0, 0.0),
     ...           Point("west", "anchor", -200.0, 0.0, 0.0),

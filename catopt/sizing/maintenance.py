@@ -210,7 +210,7 @@ def thrash_ends(
 
     Examples
     --------
-    >>> from catopt.sizing.upkeep import thrash_ends
+    >>> from catopt.sizing.maintenance import thrash_ends
     >>> ends = thrash_ends(30.0, 100.0, 900.0, 9.0, 12.0)  # sqrt(144 + 216) = 18.97 m hang
     >>> [round(each, 2) for each in ends]
     [11.03, 21.0]
@@ -336,7 +336,7 @@ def renewals(life: float | None) -> int:
     Examples
     --------
     >>> from catopt.constants import YEAR
-    >>> from catopt.sizing.upkeep import renewals
+    >>> from catopt.sizing.maintenance import renewals
     >>> renewals(5.0 * YEAR), renewals(6.0 * YEAR), renewals(25.0 * YEAR), renewals(None)
     (3, 3, 0, 0)
     """

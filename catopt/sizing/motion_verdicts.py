@@ -13,10 +13,12 @@ from catopt.checks.case import check_case
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.evaluation import sinker_of
 from catopt.errors import NoAnswerError, NotConvergedError
+from catopt.largest import largest
 from catopt.loads.drag_anchor import DragAnchorSize
 from catopt.loads.environment import Headings
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Anchor, Case, Line, Segment
+from catopt.sizing.converge import ConvergedSizing
 from catopt.sizing.in_motion import (
     LineTried,
     RunsAfloat,
@@ -29,12 +31,10 @@ from catopt.sizing.in_motion import (
     with_margin,
 )
 from catopt.sizing.pattern import Pattern
-from catopt.sizing.settle import ConvergedSizing
-from catopt.ties import largest
 from catopt.verify.convergence_check import Change
 from catopt.verify.dynamic_result import DynamicPart, Verdict, worst_verdict
-from catopt.verify.judged import check_parts, judged_as, solutions_at_rest, way_of
 from catopt.verify.ship_result import LineOfShip, ShipWithoutLine
+from catopt.verify.verdicts import check_parts, judged_as, solutions_at_rest, way_of
 from catopt.words import Message
 
 _ROLL, _PITCH = 3, 4

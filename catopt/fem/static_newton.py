@@ -28,8 +28,8 @@ from catopt.errors import NotConvergedError
 from catopt.fem.banded import WIDTH
 from catopt.fem.friction import limit
 from catopt.fem.mesh import Problem, place_of
-from catopt.fem.resting import BarLoads, Body, Law, Net, State
 from catopt.fem.seabed import HALVING, NO_FRICTION, SHARING, SLACK, SPRING, Ground, friction_sense
+from catopt.fem.static_model import BarLoads, Body, Law, Net, State
 from catopt.fem.step import StepReport, Water, take_steps
 from catopt.words import Message
 

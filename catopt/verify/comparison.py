@@ -15,9 +15,9 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Annotated, Literal
 
+from catopt.largest import largest
 from catopt.model.kinds import NotNegative, Positive
 from catopt.records import From, Record
-from catopt.ties import largest
 
 Unit = Literal["N", "m", "rad", "Nm"]
 

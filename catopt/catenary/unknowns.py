@@ -17,6 +17,7 @@ from typing import Literal, NamedTuple
 
 from catopt.catenary.roots import root
 from catopt.catenary.solution import FoundQuantity, Solution
+from catopt.display import Tabled
 from catopt.errors import (
     InputError,
     NoAnswerError,
@@ -24,7 +25,6 @@ from catopt.errors import (
     NotConvergedError,
     TableEndsError,
 )
-from catopt.shown import Tabled
 from catopt.words import Message, Several
 
 ROUNDING = 4.0 * 2.0**-52

@@ -15,7 +15,7 @@ from catopt.notes.motion import InMotion
 from catopt.notes.origin import SourceFile
 from catopt.notes.system import NetworkNote, SystemNote
 from catopt.records import Counted, Digest, Record
-from catopt.verify.compared import Compared
+from catopt.verify.comparison import Compared
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
 from catopt.verify.dynamic_run import OverRuns
 from catopt.verify.result import Verdict, Verification

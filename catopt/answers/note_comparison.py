@@ -10,7 +10,7 @@ from catopt.quantities import Quantity
 from catopt.words import Cited, Message
 
 if TYPE_CHECKING:
-    from catopt.notes.again import NoteAgain
+    from catopt.notes.note_comparison import NoteAgain
 
 
 _CHANGE = Quantity("change", "Change", "", "-", "-", 1.0, 1, "scientific")

@@ -15,11 +15,11 @@ from catopt.catenary.solution import Solution
 from catopt.checks.case import Carried, LineInMotion, Pull, check_motion
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.fem.extremes import taken_together
+from catopt.largest import first_largest, largest
 from catopt.model import Anchor, Case, Dynamics, Line
 from catopt.model.network import Network
-from catopt.mooring.held import at_rest
+from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.solution import solve_system
-from catopt.ties import first_largest, largest
 from catopt.verify.dynamic_result import BeyondMBL, DynamicPart
 from catopt.verify.dynamic_run import DynamicRun
 

@@ -10,9 +10,9 @@ from dataclasses import dataclass
 from html.parser import HTMLParser
 from typing import Final
 
+from catopt.display import Displayable
 from catopt.errors import refused
 from catopt.records import FromZero, Record
-from catopt.shown import Displayable
 from catopt.words import LANGUAGES, Language, Message
 
 SAME: Final = 1e-6

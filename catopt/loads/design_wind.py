@@ -86,7 +86,7 @@ def wind_of_place(name: str, period: float = USUAL_PERIOD, *, recalled: bool = F
 
     Examples
     --------
-    >>> from catopt.loads.places import wind_of_place
+    >>> from catopt.loads.design_wind import wind_of_place
     >>> wind_of_place("Vung Tau").speed
     31.0
     """
