@@ -19,7 +19,7 @@ PACKAGE = Path(catopt.__file__).parent
 
 BASE = {
     "errors", "constants", "documents", "dimensions", "units",
-    "quantities", "words", "tables",
+    "quantities", "words", "tables", "cells",
     "arrays", "compiled", "interrupt", "progress", "threads", "largest", "display", "records",
     "old_names",
 }  # fmt: skip
@@ -51,6 +51,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "units": {"errors", "constants", "dimensions", "words"},
     "quantities": {"constants", "dimensions"},
     "tables": {"errors", "dimensions", "documents", "units", "words"},
+    "cells": {"errors", "tables", "words"},
     "words": {"quantities"},
     "compiled": {"errors", "machine_code", "words"},
     "machine_code": {"interrupt", "machine_tuples"},

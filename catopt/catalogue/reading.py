@@ -126,6 +126,9 @@ SCHEMA = "catopt.families/1"
 KIND = "families file"
 """What it is called in messages."""
 
+_TABLES = (".csv", ".xlsx")
+"""Endings of files that are tables of sizes (`catopt.catalogue.stock`)."""
+
 _OWN = ("sources.toml", "chain.toml", "buoy_chain.toml", "wire.toml", "fibre.toml")
 
 
@@ -155,6 +158,10 @@ def read_families(
 ) -> Catalogue:
     """Read a file of families; see `catopt.catalogue.read_families`."""
     source = os.fspath(path)
+    if Path(path).suffix.lower() in _TABLES:
+        from catopt.catalogue.stock import read_stock
+
+        return read_stock(Path(path), source)
     return parse_families(read_text(Path(path), source, kind=KIND), source, known)
 
 

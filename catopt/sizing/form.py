@@ -16,8 +16,8 @@ from types import MappingProxyType
 from typing import Any, Final
 
 from catopt.casefile.reading import Moored
+from catopt.cells import Cell, Value, letters, read_workbook
 from catopt.errors import InputError, Problem, refused
-from catopt.sizing.cells import Cell, Value, letters, read_workbook
 from catopt.sizing.file import SizingFile, file_of
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.sizing.kinds import choices_of
