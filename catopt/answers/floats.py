@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, cast
 
@@ -10,12 +11,15 @@ from catopt.answers.blocks import Rows, if_known, tabulate
 from catopt.words import Measure, Message, Several
 
 if TYPE_CHECKING:
-    from catopt.mooring.network_rest import FloatsInCurrent, LinesAtRest
+    from catopt.mooring.network_rest import FloatsInCurrent, LinesAtRest, LinesInCurrent
 
 
 def floats_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
     """Tabulate how far a current knocks floats down; nothing without one."""
     if rest.network.current_at_rest is None:
+        return
+    if not rest.network.has_lone_floats:
+        yield from _moved_tables(cast("LinesInCurrent", rest))
         return
     heights = cast("FloatsInCurrent", rest).heights
     of = Rows(zip(rest.runs, rest.lines, heights, strict=True))
@@ -31,10 +35,30 @@ def floats_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
     )
 
 
+def _moved_tables(rest: LinesInCurrent) -> Iterator[blocks.Table]:
+    """Tabulate how far a current moves joints from where they are in still water."""
+    both = zip(rest.still_places, rest.points, strict=True)
+    joints = [each for each in both if each[1].of.kind == "joint"]
+    of = Rows(joints)
+    if joints:
+        yield tabulate(
+            "moved",
+            of.texts("point", lambda each: each[1].of.name),
+            of.measured("height", lambda each: each[0][2], "height_in_still_water", symbol=""),
+            of.measured("height", lambda each: each[1].place[2], symbol="z"),
+            of.measured(
+                "excursion",
+                lambda each: math.dist(each[0][:2], each[1].place[:2]),
+                "pushed_aside_by",
+            ),
+            caption=Message("captions.moved"),
+        )
+
+
 def floats_on_card(rest: LinesAtRest) -> Iterator[blocks.CardBlock]:
     """Say of one float in a sentence how far a current knocks it down; of several in a table."""
     for table in floats_tables(rest):
-        if table.length > 1:
+        if table.length > 1 or not rest.network.has_lone_floats:
             yield table
             continue
         (line,), (still,) = rest.lines, cast("FloatsInCurrent", rest).heights
@@ -71,7 +95,7 @@ def buoyancy_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
 
 def buoyancy_on_card(rest: LinesAtRest) -> Iterator[blocks.Text]:
     """Say which floats are under water, and what is used of those that are not."""
-    if rest.network.current_at_rest is not None:
+    if rest.network.current_at_rest is not None and rest.network.has_lone_floats:
         return
     for key, is_under in (("floats_under", True), ("floats_afloat", False)):
         floats = [

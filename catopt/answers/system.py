@@ -346,7 +346,8 @@ def network_answer(
     solved = Message(f"mooring.{kind}_solved", **counts)
     if network.current_at_rest is not None:
         said = current_in_words(network.current_at_rest, network.site.water_depth)
-        solved = Message("mooring.floats_solved", lines=len(network.lines), current=said)
+        way = "floats" if network.has_lone_floats else "current"
+        solved = Message(f"mooring.{way}_solved", current=said, **counts)
     tables = (
         (
             number,
@@ -385,7 +386,8 @@ def network_answer(
         ),
     )
     *_, shapes = places_tables(rest)
-    in_current = network.current_at_rest is not None  # then the floats are its joints
+    # Then the floats are its joints.
+    in_current = network.current_at_rest is not None and network.has_lone_floats
     card: tuple[blocks.CardBlock, ...] = (
         *buoyancy_on_card(rest),
         *verdict_blocks(checks),

@@ -136,6 +136,15 @@ class Laid(NamedTuple):
         """The upper end."""
         return self.hung[-1][-1]
 
+    def loose(self, to: tuple[float, float]) -> Laid:
+        """Move what hangs to where its upper end is, and what lies to below that."""
+        x, y = to[0] - self.top.x, to[1] - self.top.y
+        last = self.bed[-1][1]
+        a, b, length = last.x + x, last.y + y, last.s or 1.0
+        bed = ((k, n._replace(x=a * n.s / length, y=b * n.s / length)) for k, n in self.bed)
+        hung = (tuple(n._replace(x=n.x + x, y=n.y + y) for n in nodes) for nodes in self.hung)
+        return self._replace(bed=tuple(bed), hung=tuple(hung))
+
 
 def solve_in_current(case: Case) -> SolutionInCurrent:
     """Solve the line of a case at rest in its current, under its load.
@@ -166,12 +175,12 @@ def solve_in_current(case: Case) -> SolutionInCurrent:
     lifted = still.fairlead.vertical_force - case.line.submerged_weight
     shot.in_still_water = still.horizontal_force
     known, others = _known(shot, load, case.fairlead_height, lifted)
-    found = _solution(shot, known)
+    found = laid_in_current(shot, known)
     highest = max(z for _, _, _, z, _ in found.places)
     if shot.is_under_water and highest > case.site.water_depth + ENOUGH * shot.length:
         shot.is_under_water = False  # a line that floats: above the water nothing flows
         known, others = _known(shot, load, case.fairlead_height, lifted)
-        found = _solution(shot, known)
+        found = laid_in_current(shot, known)
     span = found.span if load.span is None else load.span
     found = replace(found, fairlead_height=case.fairlead_height, span=span)
     spans = [] if load.fairlead_tension is None else _other_spans(shot, others, span)
@@ -238,7 +247,7 @@ def hung_on_float(
     laid = shot.laid(known, shot.length)
     assert laid is not None
     direction = math.atan2(laid.top.y, laid.top.x)
-    return _solution(shot, known, direction), direction
+    return laid_in_current(shot, known, direction), direction
 
 
 class Shot:
@@ -250,6 +259,8 @@ class Shot:
 
     in_still_water = math.inf
     """The horizontal force without the current, N."""
+    loose_to: tuple[float, float] | None = None
+    """Where the upper end of a slack line is, m: what lies goes loosely to where it comes up."""
     is_under_water = False
     """Whether the fairlead is: the surface flow then goes on above it, where only trials come."""
     missed_by: Callable[[Node], Vector]
@@ -263,22 +274,30 @@ class Shot:
         self.parts = parts_of(line, site.water_density, site.seabed_friction)
         self.anchor_height = anchor_height
         self.friction, self.length = site.seabed_friction, line.length
-        self.may_lie = self.anchor_height == 0.0 and all(
-            each.weight >= 0.0 and each.load >= 0.0 for each in self.parts
-        )
+        self.may_lie = self.anchor_height == 0.0 and self.parts[0].weight >= 0.0
         self.part = 1.0
         weights = (abs(each.weight * each.length) + abs(each.load) for each in self.parts)
         self.scale = math.fsum(weights) + tension
         self.per_force = self.length / self.scale
 
-    def closed(self, known: list[float]) -> list[float]:
-        """Find what is sought, the current put on in parts where it cannot be at once."""
+    def hang_between(self, first: float, second: float) -> None:
+        """Take other heights of its ends, m."""
+        self.anchor_height = first
+        self.may_lie = first == 0.0 and self.parts[0].weight >= 0.0
+        self.is_under_water = max(first, second) <= self.site.water_depth
+
+    def closed(self, known: list[float], whole: float = 1.0) -> list[float]:
+        """Find what is sought, the current put on in parts where it cannot be at once.
+
+        `whole`: so much of it as there is.
+        """
         done, part = 0.0, 1.0
         while done < 1.0:
-            self.part = min(1.0, done + part)
+            there = min(1.0, done + part)
+            self.part = whole * there
             found = self.newton(known)
             if found is not None:
-                known, done = found, self.part
+                known, done = found, there
             elif part <= _LEAST_PART:
                 self.check_taut(known)
                 raise NotConvergedError(Message("catenary.current_not_converged", part=self.part))
@@ -329,6 +348,8 @@ class Shot:
             return Laid((), hung, 0, 0.0, (fx, fy, up))
         lies = -up
         for k, part in enumerate(self.parts):
+            if part.load < 0.0 or part.weight < 0.0:
+                return None  # a buoy does not lie
             if lies < part.load:
                 return self._from_bed(k, 0.0, lies, (fx, fy), longest)
             lies -= part.load
@@ -354,7 +375,8 @@ class Shot:
         start = last._replace(fx=fx, fy=fy, fz=up)
         hung = self._upwards(start, k, part.length - lying, longest)
         end = bed[0][1]
-        return Laid(tuple(bed), hung, k, reaction, (end.fx, end.fy, 0.0))
+        laid = Laid(tuple(bed), hung, k, reaction, (end.fx, end.fy, 0.0))
+        return laid if self.loose_to is None else laid.loose(self.loose_to)
 
     def _bed(
         self, k: int, lying: float, reaction: float, T: float, way: tuple[float, float]
@@ -443,7 +465,9 @@ class Shot:
 # ------------------------------------------------------------------ the answer
 
 
-def _solution(shot: Shot, known: Sequence[float], direction: float = 0.0) -> SolutionInCurrent:
+def laid_in_current(
+    shot: Shot, known: Sequence[float], direction: float = 0.0
+) -> SolutionInCurrent:
     """Say all of a line that is found, with x in a direction (rad)."""
     laid = shot.laid(known, shot.length / STATIONS)
     assert laid is not None

@@ -213,7 +213,7 @@ class Network(Checked):
     bodies: tuple[MooredBody, ...] = ()
     """That are free; fairleads without one belong to a body that is held."""
     current: CurrentProfile | None = None
-    """On lines at rest, each from an anchor to a float of its own; with `dynamics` on all lines."""
+    """On lines at rest; with `dynamics` on lines in motion."""
     waves: WaveState | None = None
     """Of the sea, for lines in motion."""
     motion: Motion | None = None
@@ -308,19 +308,23 @@ class Network(Checked):
         if self.current.series_file:
             allowed = Message("refused_case.current_series_is_for_motion")
             found.add("current.series_file", self.current.series_file, allowed)
-        kinds = {point.name: point.kind for point in self.points}
-        meeting = Counter(end for line in self.lines for end in (line.start, line.end))
         for k, line in enumerate(self.lines):
-            ends = (line.start, line.end)
-            is_alone = {kinds.get(end) for end in ends} == {"anchor", "joint"} and all(
-                meeting[end] == 1 for end in ends if kinds.get(end) == "joint"
-            )
-            if not is_alone:
-                allowed = Message("refused_case.current_wants_floats")
-                found.add(
-                    "current", Message("refused_case.a_line", name=line.name or k + 1), allowed
-                )
             found.problems += drag_missing(line.line, f"lines[{k}]")
+
+    @property
+    def has_lone_floats(self) -> bool:
+        """Whether each line runs from an anchor to a float of its own."""
+        points = {point.name: point for point in self.points}
+        meeting = Counter(end for line in self.lines for end in (line.start, line.end))
+        return all(
+            {points[end].kind for end in (line.start, line.end)} == {"anchor", "joint"}
+            and all(
+                meeting[end] == 1 and points[end].hung[2] > 0.0
+                for end in (line.start, line.end)
+                if points[end].kind == "joint"
+            )
+            for line in self.lines
+        )
 
     def _check_bodies(self, found: Findings) -> None:
         names = [body.name for body in self.bodies]

@@ -21,6 +21,7 @@ from catopt.model import CurrentProfile, Site, System
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.model.plausible_ranges import NAMES
 from catopt.mooring.chains import Row, apart, check_afloat, check_floats, in_rows, rows_of
+from catopt.mooring.in_current import rest_in_current
 from catopt.mooring.joints import (
     UNIT,
     Freed,
@@ -45,6 +46,7 @@ from catopt.mooring.network_rest import (
     HeldBody,
     HeldLine,
     LinesAtRest,
+    LinesInCurrent,
     NetworkAtRest,
     Position,
 )
@@ -218,7 +220,7 @@ def at_rest(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> L
     9.866
     """
     if (current := network.current_at_rest) is not None:
-        return _in_current(network, current)
+        return _in_current(network, current, displacement)
     try:
         neutral = without_load(network, displacement)
     except (NoEquilibriumError, NotConvergedError) as error:
@@ -314,6 +316,8 @@ class WithoutLoad:
 
 def without_load(network: Network, displacement: tuple[float, ...] = (0.0,) * 6) -> WithoutLoad:
     """Bring a network to rest without load on its bodies; raises what `at_rest` raises."""
+    if network.current_at_rest is not None:
+        raise refused("current", "", Message("refused_motion.one_load_in_a_current"), "mooring")
     return _with_floats(network, lambda rows: _without_load(network, rows, displacement))
 
 
@@ -333,18 +337,44 @@ def _without_load(
     return WithoutLoad(network, rows, displacement, whole, runs, held, found)
 
 
-def _in_current(network: Network, current: CurrentProfile) -> FloatsInCurrent:
-    """Bring floats to rest, each by its own line; those in still water first."""
+def _in_current(
+    network: Network, current: CurrentProfile, displacement: tuple[float, ...]
+) -> LinesInCurrent:
+    """Bring all to rest in still water first, and in the current from there."""
     points = tuple(replace(p, drag_area=None, drag_coefficient=None) for p in network.points)
-    still = at_rest(replace(network, points=points, current=None))
-    places, solutions, heights = list(still.joints.places), [], []
+    still = at_rest(replace(network, points=points, current=None), displacement)
+    if network.has_lone_floats:
+        return _floats_in_current(network, current, still)
+    _, held = _ends_held(network, displacement)
+    of = freed(network, still.runs, held, still.joints, pinned=False)
+    found, solutions = rest_in_current(network, current, still.runs, of, still.joints)
+    bodies = tuple(
+        replace(
+            body,
+            body=given,
+            position=_position(given, pose),
+            stiffness=_in_plan(network, still.runs, found, k),
+        )
+        for k, (body, given, pose) in enumerate(
+            zip(still.bodies, network.bodies, found.poses, strict=True)
+        )
+    )
+    return LinesInCurrent(
+        network, still.runs, found, bodies, solutions=solutions, still=still.joints
+    )
+
+
+def _floats_in_current(
+    network: Network, current: CurrentProfile, still: LinesAtRest
+) -> FloatsInCurrent:
+    """Bring floats to rest, each by its own line."""
+    places, solutions = list(still.joints.places), []
     left = 0.0
     for run in still.runs:
         point, anchor = network.points[run.second], places[run.first]
         found, direction = hung_on_float(
             run.line, network.site, current, point.hung, point.drag_product, anchor[2]
         )
-        heights.append(places[run.second][2])
         way = (math.cos(direction), math.sin(direction))
         at = (anchor[0] + found.span * way[0], anchor[1] + found.span * way[1])
         places[run.second] = (*at, found.fairlead_height)
@@ -354,7 +384,7 @@ def _in_current(network: Network, current: CurrentProfile) -> FloatsInCurrent:
     check_afloat(network, named, named)
     joints = still.joints._replace(places=tuple(places), residual=left)
     return FloatsInCurrent(
-        network, still.runs, joints, solutions=tuple(solutions), heights=tuple(heights)
+        network, still.runs, joints, solutions=tuple(solutions), still=still.joints
     )
 
 

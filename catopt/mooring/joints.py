@@ -159,7 +159,7 @@ def joints_at_rest(
     NotConvergedError with the force left over.
     """
     found = _brought_to_rest(network, runs, freed(network, runs, held, known, pinned=pinned))
-    _check(network, runs, found)
+    check_rest(network, runs, found)
     return found
 
 
@@ -555,7 +555,7 @@ def _start(network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> li
     return [places[k] for k in range(len(network.points))]
 
 
-def _check(network: Network, runs: Sequence[Run], found: JointsAtRest) -> None:
+def check_rest(network: Network, runs: Sequence[Run], found: JointsAtRest) -> None:
     """Refuse what lies where friction leaves it open, and floats lifted out of the water."""
     site = network.site
     for point, reaction in zip(network.points, found.reactions, strict=True):

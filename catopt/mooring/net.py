@@ -132,6 +132,16 @@ def room_for(net: Net) -> Known:
 
 def hang(net: Net, known: Known) -> tuple[int, int]:
     """Place the points, and solve every line there, from its guess; status and line."""
+    place_points(net, known)
+    for k in range(len(net.first)):
+        status = _hang_one(k, net, known)
+        if status != CONVERGED:
+            return status, k
+    return CONVERGED, -1
+
+
+def place_points(net: Net, known: Known) -> None:
+    """Place the points by the freedoms."""
     for p in range(len(net.base) // 3):
         turn = net.freedom[4 * p + 3]
         x, y = net.arm[2 * p], net.arm[2 * p + 1]
@@ -145,11 +155,6 @@ def hang(net: Net, known: Known) -> tuple[int, int]:
             known.place[3 * p + i] = net.base[3 * p + i] + (known.q[moves] if moves >= 0 else 0.0)
         known.place[3 * p] += x
         known.place[3 * p + 1] += y
-    for k in range(len(net.first)):
-        status = _hang_one(k, net, known)
-        if status != CONVERGED:
-            return status, k
-    return CONVERGED, -1
 
 
 def problem_of(k: int, net: Net, known: Known) -> LineProblem:

@@ -342,14 +342,19 @@ class NetworkAtRest(LinesAtRest):
 
 
 @dataclass(frozen=True, kw_only=True)
-class FloatsInCurrent(LinesAtRest):
-    """Floats, each at the end of its own line, knocked down by a current."""
+class LinesInCurrent(LinesAtRest):
+    """All that is free at rest in a current."""
 
-    DOCUMENT = LinesAtRest.DOCUMENT + " current heights=still_height_m"
+    DOCUMENT = LinesAtRest.DOCUMENT + " current still_places"
 
     solutions: tuple[SolutionInCurrent, ...]
-    heights: tuple[Height, ...]
-    """Of the float of each line in still water."""
+    still: JointsAtRest
+    """In still water."""
+
+    @property
+    def still_places(self) -> tuple[tuple[Place, Place, Place], ...]:
+        """Of each point in still water: x, y, and height above the bed."""
+        return self.still.places
 
     @property
     def lines(self) -> tuple[Solution, ...]:
@@ -358,8 +363,20 @@ class FloatsInCurrent(LinesAtRest):
 
     @property
     def current(self) -> tuple[CurrentEffect, ...]:
-        """What it does to each line, x being the direction from its anchor to its float."""
+        """What it does to each line, x being the direction from its first end to its other."""
         return tuple(each.effect for each in self.solutions)
+
+
+@dataclass(frozen=True, kw_only=True)
+class FloatsInCurrent(LinesInCurrent):
+    """Floats, each at the end of its own line, knocked down by a current."""
+
+    DOCUMENT = LinesInCurrent.DOCUMENT + " heights=still_height_m"
+
+    @property
+    def heights(self) -> tuple[Height, ...]:
+        """Of the float of each line in still water."""
+        return tuple(self.still.places[run.second][2] for run in self.runs)
 
 
 @dataclass(frozen=True)
@@ -369,7 +386,9 @@ class NetworkReport(Record):
     SCHEMA = "catopt.network/1"
     DOCUMENT = "title status states"
 
-    states: Annotated[tuple[LinesAtRest | NetworkAtRest | FloatsInCurrent, ...], From(1)]
+    states: Annotated[
+        tuple[LinesAtRest | NetworkAtRest | LinesInCurrent | FloatsInCurrent, ...], From(1)
+    ]
     """At rest, then where the body was asked to be held."""
 
     @property

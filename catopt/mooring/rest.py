@@ -50,12 +50,12 @@ _OVERSHOOT: Final = 0.3
 _SETTLED: Final = 0.02
 """The same once a step has been cut back: a line that comes taut on the way stops it there, and the
 next step has to know how stiff it is."""
-_HELD_BACK: Final = 1e-9
+HELD_BACK: Final = 1e-9
 """Spring to where a joint is in one step, over the largest stiffness: nothing else may hold it."""
 
 _GENTLE: Final = 1e-6
 """The same, over what the forces would make of it along the longest line."""
-_MOST_TURN, _NUDGE = 0.5, 0.01
+MOST_TURN, _NUDGE = 0.5, 0.01
 """rad: of a body in one step; and off a ridge on which it balances."""
 _RIDGE: Final = 1e-9
 """Of the largest stiffness: by so much a pivot may be below 0 from rounding."""
@@ -70,7 +70,7 @@ class Found(NamedTuple):
     left: float
 
 
-def _sum(net: Net, known: Known) -> tuple[float, float]:
+def add_up(net: Net, known: Known) -> tuple[float, float]:
     """Sum what is left over by freedom, and what the bed carries; the largest of each, N.
 
     The largest left over at a joint or a body, and the largest end force of a line.
@@ -135,24 +135,35 @@ def _assemble(net: Net, known: Known) -> float:
 
     That is of any line at one of its ends, free or not.
     """
-    n, stiffest = len(net.pull), 0.0
-    for i in range(n * n):
-        known.stiffness[i] = 0.0
+    stiffest = 0.0
+    begin(net, known)
     for k in range(len(net.first)):
         stiffen(k, net, known)
-        a, b = net.first[k], net.second[k]
+        add_line(k, net, known)
         for i in range(6):
             stiffest = max(stiffest, known.block[7 * i])
-        _add_block(0, a, a, net, known)
-        _add_block(3, a, b, net, known)
-        _add_block(18, b, a, net, known)
-        _add_block(21, b, b, net, known)
-        _add_turn(FORCES * k, a, net, known)
-        _add_turn(FORCES * k + 3, b, net, known)
+    return stiffest
+
+
+def begin(net: Net, known: Known) -> None:
+    """Begin the stiffness with that of floats that come out of the water over their height."""
+    n = len(net.pull)
+    for i in range(n * n):
+        known.stiffness[i] = 0.0
     for i in range(n):
         if 0.0 < known.lost[i] < net.buoyancy[i] and net.height[i] > 0.0:
             known.stiffness[i * n + i] += net.buoyancy[i] / net.height[i]
-    return stiffest
+
+
+def add_line(k: int, net: Net, known: Known) -> None:
+    """Add the stiffness of a line, as `stiffen` writes it, to that of the freedoms."""
+    a, b = net.first[k], net.second[k]
+    _add_block(0, a, a, net, known)
+    _add_block(3, a, b, net, known)
+    _add_block(18, b, a, net, known)
+    _add_block(21, b, b, net, known)
+    _add_turn(FORCES * k, a, net, known)
+    _add_turn(FORCES * k + 3, b, net, known)
 
 
 @inlined
@@ -201,14 +212,14 @@ def _add_row(at: int, x: float, y: float, z: float, q: int, net: Net, known: Kno
         known.stiffness[at + turn] += moment / net.scale[turn]
 
 
-def _descend(net: Net, known: Known, is_even: bool) -> float:
+def descend(net: Net, known: Known, is_even: bool) -> float:
     """Solve for a step that goes down: pivots are kept above 0; and return the least of them.
 
     What is held stays. `is_even`: the stiffness is made symmetric, which friction's is not. A
     symmetric matrix has as many pivots below 0 as directions in which the forces push on.
     """
     n, rows, way = len(net.pull), known.pivots, known.way
-    floor, least = _HELD_BACK * _lay_rows(known, n, is_even), math.inf
+    floor, least = HELD_BACK * _lay_rows(known, n, is_even), math.inf
     for j in range(n):
         pivot = rows[j * n + j]
         least = min(least, pivot)
@@ -252,7 +263,7 @@ def _is_stable(net: Net, known: Known) -> bool:
         known.left[i] = 0.0
     if not does_turn or not stiffest > 0.0:  # or every line is slack
         return True
-    return _descend(net, known, False) >= -_RIDGE * stiffest
+    return descend(net, known, False) >= -_RIDGE * stiffest
 
 
 @inlined
@@ -277,19 +288,19 @@ def _step(net: Net, known: Known, stride: float) -> tuple[int, int]:
         stiffest = max(stiffest, known.stiffness[i * n + i])
         strongest = max(strongest, abs(known.left[i]))
     for i in range(n):
-        known.stiffness[i * n + i] += _HELD_BACK * stiffest + _GENTLE * strongest / stride
-    _descend(net, known, False)
-    downhill, longest = 0.0, 0.0
+        known.stiffness[i * n + i] += HELD_BACK * stiffest + _GENTLE * strongest / stride
+    descend(net, known, False)
+    downhill, farthest = 0.0, 0.0
     for i in range(n):
         downhill += known.left[i] * known.way[i]
     if not downhill > 0.0:  # friction's derivatives are lopsided
-        _descend(net, known, True)
+        descend(net, known, True)
     for i in range(n):
-        longest = max(longest, abs(known.way[i]))
-    part = min(1.0, stride / longest)
+        farthest = max(farthest, abs(known.way[i]))
+    part = min(1.0, stride / farthest)
     for i in range(n):
         if net.kind[i] == TURNS and known.way[i] != 0.0:
-            part = min(part, _MOST_TURN * net.scale[i] / abs(known.way[i]))
+            part = min(part, MOST_TURN * net.scale[i] / abs(known.way[i]))
     _remember(net, known)
     return _go_down(net, known, part)
 
@@ -298,11 +309,11 @@ def _go_down(net: Net, known: Known, part: float) -> tuple[int, int]:
     """Go a part of the way, cut back while the forces push back there; status and line."""
     short, far, pull, push, last = 0.0, math.inf, 0.0, 0.0, part
     for cut_back in range(_CUTS):
-        downhill = _go(net, known, part)
+        downhill = go(net, known, part)
         status, line = hang(net, known)
         if status != CONVERGED:
             return status, line
-        _sum(net, known)
+        add_up(net, known)
         slope = 0.0
         for i in range(len(net.pull)):
             slope += known.left[i] * (known.q[i] - known.before[i])
@@ -324,7 +335,7 @@ def _go_down(net: Net, known: Known, part: float) -> tuple[int, int]:
     return CONVERGED, -1
 
 
-def _go(net: Net, known: Known, part: float) -> float:
+def go(net: Net, known: Known, part: float) -> float:
     """Move the freedoms by a part of the way; by how much the forces before pull along it, N m."""
     downhill = 0.0
     for i in range(len(net.pull)):
@@ -346,7 +357,7 @@ def rest(net: Net, known: Known) -> Found:
     From where `q` and the guesses of the lines are; TURNS_OVER, with its freedom: a moment turns a
     body round once.
     """
-    stride = _longest(net)
+    stride = longest(net)
     for i in range(len(net.pull)):
         known.begun[i] = known.q[i]
     status, number = hang(net, known)
@@ -354,7 +365,7 @@ def rest(net: Net, known: Known) -> Found:
     for step in range(STEPS):
         if status != CONVERGED:
             return Found(status, number, step, left)
-        left, largest = _sum(net, known)
+        left, largest = add_up(net, known)
         limit = TOLERANCE * largest + ROUNDING * stride * _assemble(net, known)
         if left <= limit and not WORTH_A_STEP * limit < left < 0.5 * best:
             if is_nudged or _is_stable(net, known):
@@ -372,15 +383,15 @@ def rest(net: Net, known: Known) -> Found:
     return Found(NOT_CONVERGED, -1, STEPS, left)
 
 
-def _longest(net: Net) -> float:
+def longest(net: Net) -> float:
     """Unstretched length of the longest line, m."""
-    longest = 0.0
+    most = 0.0
     for k in range(len(net.first)):
         length = 0.0
         for piece in range(net.piece[k], net.piece[k + 1]):
             length += net.length[piece]
-        longest = max(longest, length)
-    return longest
+        most = max(most, length)
+    return most
 
 
 def _nudged(net: Net, known: Known) -> tuple[int, int]:

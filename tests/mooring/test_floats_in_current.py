@@ -146,7 +146,6 @@ def test_a_float_above_the_water_is_refused() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "said"),
     [
-        ('"anchor"\nx', '"fairlead"\nx', "to a float of its own"),
         ("drag_normal = 1.3\n", "", "the drag of a current needs it"),
         ("[current]", "[checks]\n[no]", "drag_area"),
         ("drag_coefficient = 0.5\n", "", "drag_coefficient"),
