@@ -31,14 +31,9 @@ pytestmark = pytest.mark.slow  # the harness of the long campaigns, with them
 
 
 def test_no_line_fails() -> None:
-    tally = run(300, seed=1)
+    tally = run(1_000, seed=2)
     assert tally.failures == 0, tally.table()
-    assert tally.lines == 300
-
-
-def test_no_line_fails_in_many() -> None:
-    tally = run(2_000, seed=2, workers=2)
-    assert tally.failures == 0, tally.table()
+    assert tally.lines == 1_000
 
 
 def test_the_number_of_processes_changes_nothing(monkeypatch: pytest.MonkeyPatch) -> None:

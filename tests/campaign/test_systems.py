@@ -25,9 +25,9 @@ def test_a_slice() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("count", "seed"), [(150, 2026), (500, 2027)])
-def test_a_larger_slice(count: int, seed: int) -> None:
-    _is_clean(run(count, seed))
+def test_a_larger_slice() -> None:
+    """`python -m tests.campaign` runs thousands."""
+    _is_clean(run(200, seed=2027))
 
 
 def _is_clean(tally: Tally) -> None:
