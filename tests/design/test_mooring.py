@@ -431,7 +431,7 @@ def test_the_answer_says_what_governs_and_what_was_excluded() -> None:
 def test_when_no_mooring_passes_the_nearest_one_is_named() -> None:
     from catopt.design.neighbours import NoFeasibleDesignError
 
-    case = mooring_case(checks=Checks(safety_factor=40.0), headings=2)
+    case = mooring_case(checks=Checks(safety_factor=20.0), headings=2)
     with pytest.raises(NoFeasibleDesignError) as caught:
         design_case(case)
     assert caught.value.near_miss is not None
