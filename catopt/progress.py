@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sized
+from contextlib import contextmanager
+from contextvars import ContextVar
 from time import perf_counter
 from typing import Final, TypeVar
 
@@ -20,6 +22,27 @@ _SURE: Final = 0.2
 
 _when_long: list[Callable[[Message], None]] = []
 _said: set[str] = set()
+
+
+Watcher = Callable[[float, float], None]
+"""Told how much of a search is done of what it takes, about; it may raise KeyboardInterrupt."""
+
+_watching: ContextVar[Watcher | None] = ContextVar("watching", default=None)
+
+
+@contextmanager
+def watched(tell: Watcher) -> Iterator[None]:
+    """Have the searches of the body told of their steps."""
+    before = _watching.set(tell)
+    try:
+        yield
+    finally:
+        _watching.reset(before)
+
+
+def watcher() -> Watcher:
+    """Give whom a search tells of its steps."""
+    return _watching.get() or (lambda *_: None)
 
 
 def when_long(tell: Callable[[Message], None]) -> None:

@@ -106,7 +106,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     "page_api": SOLVING
     | READING
     | DESIGNING
-    | {"mooring", "loads", "sizing", "answers", "figures", "notes", "render", "_version"},
+    | {"mooring", "loads", "sizing", "answers", "figures", "notes", "render", "report", "_version"},
     "web": {"errors", "documents", "words", "page_api", "render", "_version"},
     "compile_jobs": SOLVING
     | READING

@@ -15,6 +15,7 @@ from catopt.model.kinds import OneOf
 from catopt.model.line import line_kind
 from catopt.records import Record
 from catopt.words import Message, Sentence, Several, is_said
+from catopt.words.message import group
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
@@ -28,8 +29,9 @@ COLOURS: Final = ("green", "amber", "red", "none")
 
 State = Literal["at_rest", "in_motion"]
 
-Who = Literal["case", "size", "page"]
-"""Who is told what to type: whoever has a case file, sizes on a command line, or has the page."""
+Who = Literal["case", "size", "page", "app"]
+"""Who is told what to type: whoever has a case file, sizes on a command line, or has the page,
+alone or with catopt behind it."""
 
 
 @dataclass(frozen=True)
@@ -220,7 +222,7 @@ def _accepted_words(of: Matter) -> Message:
 
 
 SUBJECTS: Final[dict[str, Subject]] = {
-    "motion": Subject(_moves, _is_run, ("case", "size", "page")),
+    "motion": Subject(_moves, _is_run, ("case", "size", "page", "app")),
     "strength": Subject(
         lambda of: of.has_said("checks.no_strength_criterion") and not of.has_check("tension"),
         ways=("case", "size"),
@@ -252,8 +254,10 @@ def not_judged(of: Matter) -> tuple[NotJudged, ...]:
         if subject.is_there(of) and not subject.is_judged(of):
             words = subject.words
             said = Message(f"verdict.{name}") if words is None else words(of)
-            has_way = of.who in subject.ways and name not in of.no_way
-            how = Message(f"verdict.{name}_how_{of.who}") if has_way else ""
+            own = f"{name}_how_{of.who}"
+            who = "page" if of.who == "app" and own not in group("verdict") else of.who
+            has_way = who in subject.ways and name not in of.no_way
+            how = Message(f"verdict.{name}_how_{who}") if has_way else ""
             found.append(NotJudged(name, said, how))
     return tuple(found)
 

@@ -30,6 +30,7 @@ from catopt.page_api.fields import (
     DOORS,
     START,
     Door,
+    at_rest_of,
     can_run,
     door_of,
     fields_of,
@@ -41,6 +42,7 @@ from catopt.words import LANGUAGES, Language, Measure, Message, is_said, say, te
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
+    from catopt.checks.verdict import Who
     from catopt.model import Case
     from catopt.mooring.case import SystemReport
     from catopt.quantities import Units
@@ -85,6 +87,7 @@ def shell(language: Language = "en", *, runs: bool | None = None) -> str:
         languages=[(each, say(Message("desk.own_name"), each)) for each in LANGUAGES],
         doors=DOORS,
         fields={door: fields_of(door, runs=runs) for door in DOORS},
+        runs=can_run() if runs is None else runs,
         start=START,
         say=lambda key: say(Message(f"desk.{key}"), language),
         words=partial(say, language=language),
@@ -109,7 +112,9 @@ def ask(call: str, question: Question) -> Reply:
 
     It has ``text``, a case file or a file for ``catopt size``, or ``door``, ``values`` by key and
     ``base``, of which it is made. Also ``lang`` and ``units``, as the command line has them, and
-    ``kept``: the text that ``"compare"`` puts the answer beside. What is returned was asked for; or
+    ``kept``: the text that ``"compare"`` puts the answer beside, and ``app``: whether lines can be
+    run from where it is shown. ``"run"`` sizes in motion, and returns when it has, or ``"stop"``
+    was asked; ``"progress"`` says how far it is. What is returned was asked for; or
     ``problems``, each with key, found and allowed, ``message`` and ``status``, the command's exit
     status, when there is no answer.
 
@@ -121,7 +126,12 @@ def ask(call: str, question: Question) -> Reply:
     wrong = _wrong(call, question)
     if wrong:
         return {"problems": [], "message": wrong, "status": 2}
+    if call in ABOUT_A_RUN:
+        from catopt.page_api import runs
+
+        return runs.stop() if call == "stop" else runs.progress()
     language = cast("Language", question.get("lang", "en"))
+    who: Who = "app" if question.get("app") else "page"
     before = UNITS.set(cast("Units", question.get("units", "")))
     try:
         made = (question.get("door", "line"), question.get("values", {}), question.get("base", ""))
@@ -133,10 +143,14 @@ def ask(call: str, question: Question) -> Reply:
             return _compare(question.get("kept", ""), text, language)
         if call == "note":
             return _note(text, language)
+        if call == "files":
+            return _files(text, language)
+        if call == "run" and not _ran(text):
+            return {"stopped": True}
         # Draw the answer at every step of a slider; the whole has every table of the command.
         from catopt.render.page import card, fragment
 
-        answer = _answer(text, is_whole=call == "whole")
+        answer = _laid_out(text, is_whole=call in ("whole", "run"), who=who)
         drawn, more = answer.sections[:1], answer.sections[1:]
         return {
             "html": fragment(replace(answer, sections=drawn), language),
@@ -189,17 +203,41 @@ def _case(text: str) -> Case:
     return case
 
 
-@_kept
 def _sizing(text: str, door: Door) -> Sizing:
-    """Size once what its note and its document are asked of, too.
+    """Give the sizing in motion where it was run, else that at rest: a slider waits for no run."""
+    return _in_motion(text) or _at_rest(text, door)
 
-    At rest, unless it is to be run in motion: a slider does not wait for that.
-    """
+
+def _in_motion(text: str) -> Sizing | None:
+    if not can_run():
+        return None
+    from catopt.page_api.runs import found_in_motion
+
+    return found_in_motion(text)
+
+
+@_kept
+def _at_rest(text: str, door: Door) -> Sizing:
+    """Size once what its note and its document are asked of, too."""
     from catopt.sizing.file import parse_file, sized
 
-    if not can_run() and parse_toml(text, "").get("motion", {}).get("run"):
+    if can_run():
+        text = at_rest_of(door, text)
+    elif parse_toml(text, "").get("motion", {}).get("run"):
         raise refused("motion.run", "true", Message("desk.no_runs", kind=door))
     return sized(parse_file(text, cast("Any", door)), at_rest=True)
+
+
+def _ran(text: str) -> bool:
+    """Run a sizing in motion; whether it came to its end. Of a line there is nothing to run."""
+    door = _door(text)
+    if door in ("line", "body"):
+        return True
+    if not can_run():
+        raise refused("motion.run", "true", Message("desk.no_runs", kind=door))
+    from catopt.page_api.runs import run
+
+    return run(text, door) is not None
 
 
 def _door(text: str) -> Door:
@@ -273,8 +311,12 @@ def _beside(text: str, language: Language) -> Reply:
     return {"assumed": assumed, "others": others[:3], "choices": choices(of)[1]}
 
 
+def _laid_out(text: str, *, is_whole: bool, who: Who = "page") -> Answer:
+    return _answer(text, is_whole=is_whole, who=who, is_run=_in_motion(text) is not None)
+
+
 @_kept
-def _answer(text: str, *, is_whole: bool) -> Answer:
+def _answer(text: str, *, is_whole: bool, who: Who, is_run: bool) -> Answer:  # noqa: ARG001
     """Answer once what is asked again in other words or units, or compared."""
     door = _door(text)
     if door == "line":
@@ -282,7 +324,7 @@ def _answer(text: str, *, is_whole: bool) -> Answer:
     elif door == "body":
         first, others, on_card = _body(text)
     else:
-        first, others, on_card = _sized(text, door)
+        first, others, on_card = _sized(text, door, who)
     sections = (first, *(each for other in others for each in other.sections if is_whole))
     named = []
     for number, part in enumerate(sections):  # results of a line stand beside its drawing
@@ -304,7 +346,7 @@ def _compare(kept: str, text: str, language: Language) -> Reply:
         for each in fields_of(door)
         if before.get(each.key, "") != now.get(each.key, "")
     ]
-    of_kept, present = _answer(kept, is_whole=True), _answer(text, is_whole=True)
+    of_kept, present = _laid_out(kept, is_whole=True), _laid_out(text, is_whole=True)
     beside = comparison(of_kept, present, inputs)
     return {"html": fragment(replace(present, sections=(beside,)), language)}
 
@@ -360,7 +402,7 @@ def _body(text: str) -> _Laid:
     return first, [answer], (Text(answer.title), Verdict.of_judgement(checks.judgement))
 
 
-def _sized(text: str, door: Door) -> _Laid:
+def _sized(text: str, door: Door, who: Who) -> _Laid:
     from catopt.answers.check import failing_checks
     from catopt.answers.size import size_answer
     from catopt.answers.size_card import size_card
@@ -371,7 +413,7 @@ def _sized(text: str, door: Door) -> _Laid:
     charts = (elevation(of, failing_checks(of.point.checks)), swing_circle(of), choices(of)[0])
     first = section("desk.answer", *map(Figure, charts))
     # What to type is another than on a command line.
-    verdict = Verdict.of_judgement(judgement_of(of, "page"))
+    verdict = Verdict.of_judgement(judgement_of(of, who))
     card = size_card(of, with_others=False)
     shown = tuple(verdict if isinstance(each, Verdict) else each for each in card)
     return first, [size_answer(of)], shown
@@ -402,6 +444,48 @@ def _note(text: str, language: Language) -> Reply:
     return {"name": f"{door}.html", "html": page(answer, language).decode()}
 
 
+def _files(text: str, language: Language) -> Reply:
+    """Pack what ``--out`` writes of an answer: workbook, tables, figures, document and case."""
+    from base64 import b64encode
+    from io import BytesIO
+    from zipfile import ZIP_DEFLATED, ZipFile
+
+    from catopt.render.files import files_of
+    from catopt.report import bundle
+
+    door = _door(text)
+    if door == "line":
+        from catopt.answers.check import check_answer
+        from catopt.answers.solution import solution_answer
+        from catopt.catenary.case import solve_case
+        from catopt.checks.case import check_case
+
+        case = _case(text)
+        solution, checks = solve_case(case), check_case(case)
+        files = files_of(solution_answer(case, solution), solution.to_dict(), language)
+        files |= files_of(check_answer(checks), checks.to_dict(), language)
+        files |= bundle.solution_pictures(case, solution)
+    elif door == "body":
+        from catopt.answers.system import system_answer
+
+        report, of_system = _checked(text)
+        files = files_of(system_answer(report, of_system), _system(text), language)
+        files |= bundle.system_pictures(report)
+    else:
+        from catopt.answers.size import size_answer
+        from catopt.notes.line import Given
+        from catopt.notes.origin import source_of
+
+        of = _sizing(text, door)
+        files = files_of(size_answer(of), of.to_dict(), language)
+        files |= bundle.size_files(of, language, Given(source_of(_name(door), text)))
+    made = BytesIO()
+    with ZipFile(made, "w", ZIP_DEFLATED) as packed:
+        for name, data in files.items():
+            packed.writestr(name, data)
+    return {"name": f"{door}.zip", "base64": b64encode(made.getvalue()).decode()}
+
+
 _DOCUMENTS: Final[Mapping[str, Callable[[str], Reply]]] = {
     **{call: partial(_of_a_line, call) for call in ("solve", "check", "curve")},
     "system": _system,
@@ -409,5 +493,7 @@ _DOCUMENTS: Final[Mapping[str, Callable[[str], Reply]]] = {
     "open": _open,
     "file": lambda text: {"name": _name(_door(text)), "text": text},
 }
-CALLS: Final = (*_DOCUMENTS, "live", "whole", "note", "compare")
+ABOUT_A_RUN: Final = ("progress", "stop")
+"""What is answered while another question is."""
+CALLS: Final = (*_DOCUMENTS, "live", "whole", "note", "compare", "files", "run", *ABOUT_A_RUN)
 """What can be asked."""

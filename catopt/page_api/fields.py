@@ -146,6 +146,15 @@ def of_runs(each: Input) -> bool:
     return "in_motion" in (each.name, each.only_with) or each.key.startswith("motion.")
 
 
+def at_rest_of(door: Door, text: str) -> str:
+    """Leave out of a file for a sizing what it says of runs in time."""
+    document = parse_toml(text, "")
+    for each in rows_of(door):
+        if of_runs(each):
+            _put(document, each.path, None)
+    return "".join(_tables(document, ())).lstrip("\n")
+
+
 def fields_of(door: Door, *, runs: bool | None = None) -> tuple[Field, ...]:
     """List the fields of a door's form, in their order.
 

@@ -24,7 +24,7 @@ from catopt.largest import largest
 from catopt.loads.ship import neighbours
 from catopt.loads.sinker import SinkerSize
 from catopt.model import Anchor, Case
-from catopt.progress import expect
+from catopt.progress import Progress, expect, watcher
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.converge import ConvergedSizing, best_of
 from catopt.sizing.in_motion import (
@@ -50,7 +50,7 @@ from catopt.verify.dynamic import Wanted, processes_for, run_again, run_once
 from catopt.verify.dynamic_result import DynamicPart, worst_verdict
 from catopt.verify.dynamic_setup import read_drive
 from catopt.verify.hulls import hull_of
-from catopt.verify.side_by_side import SECONDS_PER_BAR_AND_STEP, Crew, Threads, silent
+from catopt.verify.side_by_side import SECONDS_PER_BAR_AND_STEP, Crew, Threads
 from catopt.verify.verdicts import (
     judged_as,
     line_in_motion,
@@ -338,7 +338,7 @@ class _Search:
         count = min(self.how.other_lengths, len(others))
         places = {round(k * (len(others) - 1) / max(count - 1, 1)) for k in range(count)}
         found = [chosen]
-        found += [_run(others[k], self.request, self.how, crew, whole=True) for k in sorted(places)]
+        found += [self._run(others[k], crew, whole=True) for k in sorted(places)]
         runs = []
         for each in found:
             anchor, storm = each.case.anchor, _storm(each, self.how) if each.parts else None
@@ -349,16 +349,26 @@ class _Search:
     def _proven(self, of: Judged, crew: Crew) -> Judged:
         """Run a line again at a finer step and with more bars; it passes there, too, or fails."""
         rung = self.lengths.index(_nearest(self.lengths, of.tried.length))
-        found = _again(of, self.how, crew)
+        found = _again(of, self.how, crew, self._tell)
         self.judged[of.tried.component, of.tried.diameter, rung] = found
         return found
+
+    def _run(self, settled: ConvergedSizing, crew: Crew, *, whole: bool = False) -> Judged:
+        self._tell(0, 1)
+        return _run(settled, self.request, self.how, crew, self._tell, whole=whole)
+
+    @property
+    def _tell(self) -> Progress:
+        """Tell of a part of the present line as of all lines that are run at most, about."""
+        lines, tell = len(self.tried), watcher()
+        return lambda done, total: tell(lines + done / total, max(MOST_LINES, lines) + 1)
 
     def _tried(self, size: _Size, rung: int, crew: Crew) -> Judged | None:
         """Run a line; None where it fails at rest."""
         key = (size.component, size.diameter, rung)
         if key not in self.judged:
             settled = self._rest(size, rung)
-            run = None if settled is None else _run(settled, self.request, self.how, crew)
+            run = None if settled is None else self._run(settled, crew)
             self.judged[key] = run
         return self.judged[key]
 
@@ -400,6 +410,7 @@ def _run(
     request: BuoyRequest,
     how: RunsAfloat,
     crew: Crew,
+    tell: Progress,
     *,
     whole: bool = False,
 ) -> Judged:
@@ -420,14 +431,14 @@ def _run(
         for sea in seas
         for name, state in load_states(sea, None)
     ]
-    begun = run_once([Wanted(*each, (0,)) for each in drives], crew, silent)
+    begun = run_once([Wanted(*each, (0,)) for each in drives], crew, tell)
     if how.quick:
         return judged(settled, seas, _pooled(begun), how)
     found = judged(settled, [replace(e, dynamics=largest_values) for e in seas], begun, how)
     goes_on = found.tried.passes or (whole and not found.tried.reason)
     if goes_on and how.seeds > 1:
         rest = tuple(range(1, how.seeds))
-        more = run_once([Wanted(*each, rest) for each in drives], crew, silent)
+        more = run_once([Wanted(*each, rest) for each in drives], crew, tell)
         begun = [_together(*each) for each in zip(begun, more, strict=True)]
     return judged(settled, seas, begun, how) if goes_on else found
 
@@ -442,12 +453,12 @@ def _pooled(found: Sequence[DynamicPart | NoAnswer]) -> list[DynamicPart | NoAns
     return [replace(e, runs=runs) if isinstance(e, DynamicPart) else e for e in found]
 
 
-def _again(of: Judged, how: RunsAfloat, crew: Crew) -> Judged:
+def _again(of: Judged, how: RunsAfloat, crew: Crew, tell: Progress) -> Judged:
     """Run a line that passes again, as `catopt verify --dynamic` does; what fails there fails.
 
     Its sinker stays in all runs.
     """
-    seas, parts = _seas(of.case, how), run_again(of.parts, crew, silent)
+    seas, parts = _seas(of.case, how), run_again(of.parts, crew, tell)
     found = judged(of.settled, seas, parts, how)
     if not found.tried.passes:
         return found

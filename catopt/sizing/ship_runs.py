@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from operator import itemgetter
-from typing import Any
+from typing import Any, Final
 
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.design.neighbours import NoFeasibleDesignError
@@ -15,6 +15,7 @@ from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.largest import largest
 from catopt.loads.environment import Headings
 from catopt.model import Case, Line
+from catopt.progress import watcher
 from catopt.sizing.answer import worn_name
 from catopt.sizing.converge import ConvergedSizing
 from catopt.sizing.in_motion import LineTried, RunsAfloat, Sea, in_sea, sea_of, tightest_seas
@@ -39,6 +40,11 @@ from catopt.verify.two_scales import (
     verify_ship,
 )
 from catopt.words import Message
+
+LINES: Final = 8
+"""Lines that a search runs, about: for its announcement."""
+_HARD: Final = 3
+"""Load cases in which it compares them, about."""
 
 Settle = Callable[[TankerRequest], ConvergedSizing]
 Around = Callable[[TankerRequest, ConvergedSizing], Pattern | None]
@@ -137,6 +143,7 @@ class ShipRuns:
             if state in judged.done or not judged.tried.passes:
                 continue
             assert settled is not None
+            self._tell()
             try:
                 if state.line_out:
                     assert around is not None
@@ -155,6 +162,11 @@ class ShipRuns:
                 self.order.remove(state)
                 self.order.insert(0, state)
         return judged
+
+    def _tell(self) -> None:
+        done = sum(len(each.done) for each in self.judged.values())
+        usual = LINES * min(_HARD, len(self.order)) + len(self.order)
+        watcher()(done, max(usual, done + 1))
 
     def _in_state(
         self, state: ShipState, settled: ConvergedSizing, around: Pattern | None

@@ -41,7 +41,7 @@ from catopt.sizing.pattern import Pattern
 from catopt.sizing.quick import NEAR
 from catopt.sizing.ship_afloat import MOTION_CODE, runs_afloat
 from catopt.sizing.ship_band import band_of, basis_of
-from catopt.sizing.ship_runs import Around, Settle, ShipRuns
+from catopt.sizing.ship_runs import LINES, Around, Settle, ShipRuns
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.verify.convergence_check import LIMIT
 from catopt.verify.two_scales import (
@@ -62,8 +62,6 @@ _LEAST_SCOPE: Final = 6.0
 _MOST_SCOPES: Final = (16.0, 24.0)
 """Likewise, before the size rises: catopt's own."""
 _SAME_SIZE: Final = 5e-4
-_LINES: Final = 8
-"""Lines that a search runs, about: for its announcement."""
 
 
 class ShipMoved(NamedTuple):
@@ -94,7 +92,7 @@ def search_ship_in_motion(
         raise refused("in_motion", "true", allowed, "TankerRequest")
     states = len(start.posed.loads) * max(1, len(how.periods))
     states *= len(request.weathervaning.directions)
-    hours = _LINES * how.seeds * how.duration / 3600.0 * states * request.lines
+    hours = LINES * how.seeds * how.duration / 3600.0 * states * request.lines
     if not how.quick:
         expect(Message("sizing.running_ship"), _HOUR * hours)
     found = _Search(request, how, start, settle, around)

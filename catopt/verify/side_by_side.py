@@ -228,7 +228,9 @@ class Threads(Crew):
         """Do a task for each number from 0 on, the first by itself: it compiles what has to be."""
         found = super().each(task, min(count, 1), progress)
         with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-            return [*found, *pool.map(lambda number: task(number, silent), range(1, count))]
+            numbers = range(len(found), count)
+            rest = pool.map(lambda k: task(k, lambda *_: progress(k, count)), numbers)
+            return [*found, *rest]
 
 
 def silent(*_: int) -> None:

@@ -14,6 +14,7 @@ import tarfile
 import tomllib
 import zipfile
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import dataclass
 from functools import cache
 from http import HTTPStatus
@@ -26,7 +27,7 @@ from typing import Any, Final
 from catopt._version import version_and_commit
 from catopt.documents import MOST_BYTES
 from catopt.errors import refused
-from catopt.page_api import CALLS, ask, shell
+from catopt.page_api import ABOUT_A_RUN, CALLS, ask, shell
 from catopt.page_api.fields import DOORS, START
 from catopt.render.svg import stylesheet
 from catopt.words import LANGUAGES, Message
@@ -271,7 +272,7 @@ class _Handler(BaseHTTPRequestHandler):
             self._refuse(HTTPStatus.BAD_REQUEST)
             return
         try:
-            with self.server.one_at_a_time:
+            with nullcontext() if call in ABOUT_A_RUN else self.server.one_at_a_time:
                 reply = json.dumps(ask(call, question)).encode()
         except Exception:
             self._refuse(HTTPStatus.INTERNAL_SERVER_ERROR)

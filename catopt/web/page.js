@@ -22,7 +22,7 @@ const status = (key, more = "") => {
   const place = one(".status");
   place.textContent = key ? place.dataset[key] + more : "";
   place.dataset.now = key;
-  one(".progress").hidden = !["starting", "working"].includes(key);
+  one(".progress").hidden = !["starting", "working", "running"].includes(key);
 };
 
 // What takes longer than a second says for how long; while Python is loaded, what is being done.
@@ -113,6 +113,8 @@ const open = () => {
   if (state.values[state.door]) fill(state.values[state.door]);
   else read();
   one(".kept").hidden = !state.base[state.door];
+  const run = one("[data-do=run]");
+  if (run) run.hidden = ["line", "body"].includes(state.door);
 };
 
 // A slider goes from a tenth to twice the value that was last typed; its unit stays.
@@ -137,7 +139,7 @@ const typed = (field) => {
 
 const question = () => ({
   door: state.door, values: state.values[state.door], base: state.base[state.door] ?? "",
-  lang: state.lang, units: state.units,
+  lang: state.lang, units: state.units, app: Boolean(one("[data-do=run]")),
 });
 
 const wrong = (reply) => {
@@ -260,7 +262,33 @@ const soon = () => {
   later = setTimeout(() => { keep(); compute("whole"); }, 350);
 };
 
+// How far a run is stands in the bar; it stops at its next step.
+const runs = async () => {
+  const [asked, bar, stop] = [question(), one(".progress"), one("[data-do=stop]")];
+  status("running");
+  [bar.hidden, stop.hidden] = [false, false];
+  old(true);
+  const look = setInterval(async () => {
+    const { done, total } = await ask("progress", {});
+    if (total) [bar.max, bar.value] = [total, done];
+  }, 500);
+  try {
+    const reply = await ask("run", asked);
+    const isOurs = asked.door === state.door && asked.lang === state.lang;
+    if (reply.stopped) {
+      old(false);
+      status("stopped");
+    } else if (isOurs) give(reply);
+  } finally {
+    clearInterval(look);
+    bar.removeAttribute("value");
+    [bar.hidden, stop.hidden] = [true, true];
+  }
+};
+
 // ---------------------------------------------------------------- files
+
+const bytesOf = (base64) => Uint8Array.from(atob(base64), (each) => each.charCodeAt(0));
 
 const download = (name, text, type) => {
   const link = document.createElement("a");
@@ -286,7 +314,7 @@ const act = {
   },
   document: async () => {
     const reply = await ask(DOCUMENT[state.door], question());
-    if (reply.status) give(reply);
+    if (reply.problems) give(reply); // a solution's own document has a status, too
     else download(`${state.door}.json`, `${JSON.stringify(reply, null, 2)}\n`, "application/json");
   },
   note: async () => {
@@ -298,6 +326,17 @@ const act = {
       status("ready");
     }
   },
+  files: async () => {
+    status("working");
+    const reply = await ask("files", question());
+    if (reply.status) give(reply);
+    else {
+      download(reply.name, bytesOf(reply.base64), "application/zip");
+      status("ready");
+    }
+  },
+  run: runs,
+  stop: () => ask("stop", {}),
   link: async () => {
     keep();
     const isFile = location.protocol === "file:";

@@ -47,12 +47,13 @@ def searched(
         run.append((size, line.length))
         settled, passes = None, holds(size, line.length)
         try:
-            settled = self._at_rest(line)
+            settled = self.at_rest(line)
         except NoFeasibleDesignError:
             passes = False
         failing = () if passes else (FAILS,)
         tried = LineTried(segment.component, size * 1e-3, line.length, line.mass or 0.0, 3, failing)
-        return SimpleNamespace(tried=tried, line=line, settled=settled, runs=(1,), factor=3.0)
+        of = {"tried": tried, "line": line, "settled": settled, "factor": 3.0}
+        return SimpleNamespace(**of, runs=(), done=())
 
     kept: list[Any] = []
 
@@ -60,7 +61,8 @@ def searched(
         kept.append(of[3])
         raise KeyboardInterrupt
 
-    patched.setattr(searching._Search, "_run", made_up)
+    patched.setattr(searching._Search, "_settled_line", made_up)
+    patched.setattr(searching._Search, "_run", lambda _, judged, __: judged)
     patched.setattr(searching, "_moved", keep)
     with pytest.raises(KeyboardInterrupt):
         size_tanker(**SHIP, in_motion=True, **inputs)
@@ -98,9 +100,10 @@ def test_a_line_that_holds_at_once_is_lessened_by_leaps(monkeypatch: pytest.Monk
 def test_where_nothing_holds_the_nearest_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     def fails(_: Any, line: Line) -> Any:
         tried = LineTried("", 0.02, 1.0, 1.0, 2, (FAILS,))
-        return SimpleNamespace(tried=tried, line=line, settled=None, runs=(1,), factor=4.0)
+        return SimpleNamespace(tried=tried, line=line, settled=None, runs=(), done=(), factor=4.0)
 
-    monkeypatch.setattr(searching._Search, "_run", fails)
+    monkeypatch.setattr(searching._Search, "_settled_line", fails)
+    monkeypatch.setattr(searching._Search, "_run", lambda _, judged, __: judged)
     with pytest.raises(NoLineInMotionError) as caught:
         size_tanker(**SHIP, in_motion=True)
     assert caught.value.exit_status == 3

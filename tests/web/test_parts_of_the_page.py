@@ -89,7 +89,10 @@ def test_a_sizing_on_the_page_is_amber_and_says_that_motion_was_not_judged(page:
     asked = [("live", {"door": door, "values": START[door]}) for door in ("buoy", "tanker")]
     for reply in answers(page, asked):
         assert 'class="verdict in-part"' in reply["card"]
-        assert "Not judged: motion (on a computer catopt size" in reply["card"]
+        assert (
+            "Not judged: motion (on a computer catopt app, or save the file: catopt size FILE)"
+            in reply["card"]
+        )
 
 
 def test_what_asks_for_runs_is_refused_with_the_way_out(page: Path) -> None:
@@ -110,13 +113,27 @@ def test_the_page_has_no_field_that_it_cannot_honour() -> None:
     assert "motion.run" in shell(runs=True)
 
 
+def test_a_run_is_refused_where_no_python_stands_behind_the_page(page: Path) -> None:
+    question = {"door": "tanker", "values": START["tanker"]}
+    asked: list[tuple[str, dict[str, Any]]]
+    asked = [("run", question), ("progress", {}), ("stop", {})]
+    refused, *others = answers(page, asked)
+    assert [each["key"] for each in refused["problems"]] == ["motion.run"]
+    assert others == [{}, {}]
+    assert 'data-do="run"' not in shell(runs=False)
+
+
 @pytest.mark.slow
+@pytest.mark.parametrize("language", ["en", "vi"])
 @pytest.mark.parametrize("door", DOORS)
-def test_every_field_takes_its_own_placeholder(page: Path, door: Any) -> None:
+def test_every_field_takes_its_own_placeholder(page: Path, door: Any, language: str) -> None:
     """Of what is refused beside other inputs the reason is said; nothing ends in a traceback."""
     fields = [each for each in fields_of(door, runs=False) if each.example]
     asked = [
-        ("live", {"door": door, "values": {**START[door], each.key: each.example}})
+        (
+            "live",
+            {"door": door, "values": START[door] | {each.key: each.example}, "lang": language},
+        )
         for each in fields
     ]
     for field, reply in zip(fields, answers(page, asked), strict=True):
