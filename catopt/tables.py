@@ -209,7 +209,7 @@ def read_numbers(
         if name in known:
             sizes[k] = known[name].size(unit)
             if math.isnan(sizes[k]):
-                problems.append(Problem("headings", shown(sheet.headings[k]), known[name].wanted))
+                problems.append(Problem("headings", as_text(sheet.headings[k]), known[name].wanted))
     if problems:
         raise InputError(problems, sheet.path)
     columns: list[list[float]] = [[] for _ in names]
@@ -223,7 +223,7 @@ def read_numbers(
             if not abs(value) <= (column.most or column.dimension.largest):
                 is_none = math.isnan(value)
                 allowed = Message("refused.number") if is_none else _too_much(column, value)
-                found = shown(cell) or Message("refused_motion.empty_cell")
+                found = as_text(cell) or Message("refused_motion.empty_cell")
                 place = f"line {row.line}, {names[k]}"
                 wrong.append((row.line, Problem(place, found, allowed)))
     sheet.refuse(wrong)
@@ -250,12 +250,12 @@ def _of_headings(
         return
     for cell, name in zip(cells, names, strict=True):
         if name not in known:
-            yield Problem("headings", shown(cell) or Message("refused_file.an_empty_one"), one_of)
+            yield Problem("headings", as_text(cell) or Message("refused_file.an_empty_one"), one_of)
     for each in needed:
         if each not in names:
             yield Problem("headings", "", Message("refused_motion.missing", each=each))
     for each in sorted({name for name in names if names.count(name) > 1}):
-        yield Problem("headings", shown(each), Message("refused_study.twice"))
+        yield Problem("headings", as_text(each), Message("refused_study.twice"))
     if not any(each in names for each in some):
         missing = Message("refused_motion.one_missing", some=", ".join(some))
         yield Problem("headings", "", missing)
@@ -268,6 +268,6 @@ def few(problems: Sequence[Problem], of: str = "file", most: int = SHOWN) -> lis
     return [*problems[:most], *rest]
 
 
-def shown(cell: str) -> str:
+def as_text(cell: str) -> str:
     """Show a cell, whatever is in it."""
     return as_written(cell.strip())[1:-1]

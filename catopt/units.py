@@ -160,7 +160,7 @@ _PART: Final = re.compile(r"([*/ ])?([^\W\d]\w*?)(?:\^(-?[1-9]))?(?=[*/ ]|$)")
 
 
 @cache
-def known() -> Mapping[str, tuple[float, Powers]]:
+def units_in_si() -> Mapping[str, tuple[float, Powers]]:
     """List every word with its worth in SI and its powers."""
     return {word: (si, powers) for words, si, powers in _WORDS for word in words.split()}
 
@@ -186,7 +186,7 @@ def worth(unit: str) -> tuple[float, Powers] | None:
     si, powers = 1.0, [0] * 5
     for between, word, power in _PART.findall(text):
         is_long = len(word) > 3 or not word.isascii()
-        found = known().get(word) or (known().get(word.casefold()) if is_long else None)
+        found = units_in_si().get(word) or (units_in_si().get(word.casefold()) if is_long else None)
         if found is None:
             return None
         times = int(power or 1) * (-1 if between == "/" else 1)
@@ -406,7 +406,7 @@ class _Reading:
         if kind is Dimension.MASS_PER_LENGTH and self.dimension is Dimension.FORCE_PER_LENGTH:
             return factor * STANDARD_GRAVITY
         # Units that differ by capitals alone; those of the field come first.
-        listed = dict.fromkeys((*(u for units in UNITS.values() for u in units), *known()))
+        listed = dict.fromkeys((*(u for units in UNITS.values() for u in units), *units_in_si()))
         near = (each for each in listed if each.casefold() == unit.casefold() and each != unit)
         meant = [
             Message("refused.capitals", unit=each)

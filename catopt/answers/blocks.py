@@ -19,7 +19,7 @@ from catopt.words import (
     Language,
     Measure,
     Message,
-    Told,
+    Translated,
     heading,
     quantity_name,
     say,
@@ -548,7 +548,7 @@ def labelled(name: str, symbol: str) -> str:
 
 def keyed(key: str, name: str) -> Message:
     """Take a key of documents, which English files have as it is; other languages have its name."""
-    return Told({each: key if each == "en" else say(name, each) for each in LANGUAGES})
+    return Translated({each: key if each == "en" else say(name, each) for each in LANGUAGES})
 
 
 def yes_or_no(is_so: bool) -> Message:

@@ -116,16 +116,16 @@ def _short_verdict(step: Neighbour) -> str:
     return worst.fails_as(Message(f"checks.{worst.kind}_short"))
 
 
-def shown_designs(count: int, *named: int) -> tuple[int, ...]:
+def listed_designs(count: int, *named: int) -> tuple[int, ...]:
     """Choose the designs of a front that people see: all of few; of many some, evenly.
 
     Those that are named by their indices are among them in any case, as the two ends are.
 
     Examples
     --------
-    >>> shown_designs(3, 1)
+    >>> listed_designs(3, 1)
     (0, 1, 2)
-    >>> shown_designs(100, 42)[:4], len(shown_designs(100, 42))
+    >>> listed_designs(100, 42)[:4], len(listed_designs(100, 42))
     ((0, 4, 8, 12), 27)
     """
     if count <= _MOST:
@@ -139,7 +139,7 @@ def shown_designs(count: int, *named: int) -> tuple[int, ...]:
 def _front(result: DesignResult) -> Iterator[blocks.Block]:
     """Tabulate the front, a row each design, with the tightest check of each kind in files."""
     of, count = Rows(result.front), len(result.front)
-    shown = shown_designs(count, result.recommended - 1)
+    shown = listed_designs(count, result.recommended - 1)
     best = [Message("answers.yes") if k == result.recommended else "" for k in range(1, count + 1)]
     caption = Message("captions.front_recommended")
     if len(shown) < count:
@@ -245,7 +245,7 @@ def _fails_in_motion(result: DesignResult) -> Iterator[blocks.Block]:
             of.texts("line_from_the_anchor", "made"),
             of.texts("verdict", "reason"),
             caption=Message("design.fails_in_motion"),
-            shown=shown_designs(len(search.failing)),
+            shown=listed_designs(len(search.failing)),
         )
 
 

@@ -22,7 +22,7 @@ from catopt.answers.blocks import (
     texts,
 )
 from catopt.answers.check import checked, failing_checks, load_case_table
-from catopt.answers.design import shown_designs
+from catopt.answers.design import listed_designs
 from catopt.answers.note import (
     basis_section,
     by_both,
@@ -269,7 +269,7 @@ def of_the_front(chosen: Chosen, left_out: str = "note.front_left_out") -> Itera
     present = document.get("present")
     if present is not None:
         yield Text(_present(present, keys))
-    shown = shown_designs(len(designs), chosen.number - 1, best)
+    shown = listed_designs(len(designs), chosen.number - 1, best)
     yield replace(_designs(designs, keys), shown=shown, marked=chosen.number - 1)
     if len(shown) < len(designs):
         yield small(left_out, count=len(designs) - len(shown))

@@ -56,7 +56,7 @@ from catopt.words import (
     Message,
     Sentence,
     Several,
-    Told,
+    Translated,
     say,
     term,
 )
@@ -202,7 +202,9 @@ def _recommendation(note: SizeNote) -> Message:
         "",
     )
     values = {
-        "chain": Told({each: _chain(code, described(of.case, first), each) for each in LANGUAGES}),
+        "chain": Translated(
+            {each: _chain(code, described(of.case, first), each) for each in LANGUAGES}
+        ),
         "length": f"{line.length:g}",
         "shots": f"{of.shots:.2f}",
         "weights": weights,

@@ -84,7 +84,7 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
         *([section("captions.watch_circle", circle_table(circle))] if circle else []),
         *(_curve(number, each) for number, each in enumerate(report.curves, start=1)),
         *_levels(report.levels),
-        *(held_section(*each) for each in enumerate(report.at_displacement, start=1)),
+        *(fixed_section(*each) for each in enumerate(report.at_displacement, start=1)),
         section("captions.residuals", *_closing(report, checks)),
     )
     return replace(whole, card=tuple(_card(report, checks, solved)))
@@ -119,7 +119,7 @@ def _asked(report: SystemReport) -> Iterator[blocks.Table]:
     if report.circle is not None:
         yield circle_table(report.circle)
     yield from (curve_table(number, each) for number, each in enumerate(report.curves, start=1))
-    held = (held_section(*each) for each in enumerate(report.at_displacement, start=1))
+    held = (fixed_section(*each) for each in enumerate(report.at_displacement, start=1))
     for of in (*_levels(report.levels), *held):
         yield from (each for each in of.blocks if isinstance(each, blocks.Table))
 
@@ -264,7 +264,7 @@ def _levels(levels: Sequence[AtLevel]) -> Iterator[blocks.Section]:
         yield section(title, blocks.Table("water_levels", columns, title))
 
 
-def held_section(number: int, body: HeldBody) -> blocks.Section:
+def fixed_section(number: int, body: HeldBody) -> blocks.Section:
     """Lay out what the lines do to a body that is held: load and stiffness in six freedoms."""
     at = {
         name: Measure("offset" if k < 3 else "angle", value)
@@ -377,7 +377,7 @@ def network_answer(
         *([section("captions.watch_circle", circle_table(circle))] if circle else []),
         *(_curve(number, each) for number, each in enumerate(curves, start=1)),
         *_levels(levels),
-        *(held_section(number, body) for number, body in enumerate(bodies, start=1)),
+        *(fixed_section(number, body) for number, body in enumerate(bodies, start=1)),
         *(section(Message("captions.held_lines", number=k), *each) for k, *each in tables),
         section(
             "captions.residuals",

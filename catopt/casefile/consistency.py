@@ -59,7 +59,7 @@ def consistency_findings(case: FileSection, components: Mapping[Path, Component]
         *_levels(case, case.tables("load_cases")),
         *_levels(case, case.table("design").tables("loads")),
         *_system(case),
-        *judged_findings(case, segments),
+        *limit_findings(case, segments),
     ]
 
 
@@ -77,7 +77,7 @@ def without_site(case: FileSection) -> Iterator[Finding]:
         yield Finding(("line", "fairlead_height"), "", Message("refused_case.height_in_air"))
 
 
-def judged_findings(case: FileSection, segments: list[FileSection]) -> list[Finding]:
+def limit_findings(case: FileSection, segments: list[FileSection]) -> list[Finding]:
     """List what contradicts itself in what lines are judged by: checks, anchor, service."""
     service = case.table("service").given
     return [

@@ -18,7 +18,7 @@ from catopt.casefile.building import (
 from catopt.casefile.consistency import (
     consistency_findings,
     design_findings,
-    judged_findings,
+    limit_findings,
     segment_findings,
     without_site,
 )
@@ -96,7 +96,7 @@ def network_of(document: dict[str, Any], source: str = "", *, folder: str = "") 
     findings += catalogue.findings
     for line in case.tables("lines"):
         findings += [each for part in line.tables("segments") for each in segment_findings(part)]
-    findings += [*judged_findings(case, []), *network_motion_findings(case)]
+    findings += [*limit_findings(case, []), *network_motion_findings(case)]
     findings += plausibility_findings(case, findings)
     refuse(document, findings, source)
     with accepting(table.accept or ()):
@@ -187,12 +187,12 @@ def read_mooring(path: str | os.PathLike[str]) -> Case | Network:
     source = os.fspath(path)
     if Path(path).suffix.lower() != ".toml":
         from catopt.decks.reading import is_deck, is_yaml, read_any_deck, refuse_yaml
-        from catopt.decks.remarks import tell
+        from catopt.decks.remarks import report_remarks
 
         deck = read_text(Path(path), source, broken=True)
         if is_deck(deck):
             case, remarks = read_any_deck(deck, source)
-            tell(remarks)
+            report_remarks(remarks)
             return case
         if is_yaml(deck, source):
             raise refuse_yaml(deck, source)

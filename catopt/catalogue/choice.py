@@ -9,7 +9,7 @@ from typing import Any
 from catopt import catalogue
 from catopt.catalogue.collection import ALL, Catalogue, one_of_variants
 from catopt.catalogue.components import Component
-from catopt.catalogue.finding import held_by
+from catopt.catalogue.finding import own_variants
 from catopt.errors import Problem
 from catopt.model import CatalogueChoice
 from catopt.units import as_written
@@ -44,7 +44,7 @@ class ChosenCatalogue:
         own = [(self.families.family(each.family), each.grade) for each in parsed]
         problems = []
         for quantity, variant in self.choice.variants:
-            if any(held_by(family, grade, {quantity: variant}) for family, grade in own):
+            if any(own_variants(family, grade, {quantity: variant}) for family, grade in own):
                 continue
             there = {
                 figure.variant: None
@@ -60,7 +60,7 @@ class ChosenCatalogue:
         parsed = self.families.parse_name(name)
         family = self.families.family(parsed.family)
         return {
-            "variants": held_by(family, parsed.grade, self.choice.by_quantity),
+            "variants": own_variants(family, parsed.grade, self.choice.by_quantity),
             "water_density": self.water_density,
             "allow_recalled": self.choice.allow_recalled,
         }

@@ -107,7 +107,7 @@ def search(
         components = catalogue.sold(
             each.name,
             grade=its_grade,
-            variants=held_by(each, its_grade, variants),
+            variants=own_variants(each, its_grade, variants),
             water_density=water_density,
             allow_recalled=allow_recalled,
         )
@@ -156,14 +156,14 @@ def _check_variants(
 ) -> None:
     """Note a problem for each variant that none of the families has."""
     for quantity, variant in variants.items():
-        if not any(held_by(family, grade, {quantity: variant}) for family, grade in wanted):
+        if not any(own_variants(family, grade, {quantity: variant}) for family, grade in wanted):
             allowed = Message("refused_sizing.none_these_families_has")
             if quantity not in (*SPECS, ALL):
                 allowed = Message("refused.of_these", words=", ".join(SPECS))
             check.add(f"variants.{quantity}", as_written(variant), allowed)
 
 
-def held_by(family: Family, grade: str | None, variants: Mapping[str, str]) -> dict[str, str]:
+def own_variants(family: Family, grade: str | None, variants: Mapping[str, str]) -> dict[str, str]:
     """Keep the variants that a family has; the others keep their defaults."""
     own = {(f.quantity, f.variant) for q in SPECS for f in family.alternatives(q, grade)}
     names = {variant for _, variant in own}

@@ -14,7 +14,7 @@ from typing import Any, Final
 from catopt.catalogue.components import RECALLED, Confidence, Source
 from catopt.model.kinds import Findings
 from catopt.units import UNITS, Dimension
-from catopt.words import Cited, Listed, Message, Several, Told
+from catopt.words import Cited, Listed, Message, Several, Translated
 
 SCHEMA: Final = "catopt.practice/1"
 
@@ -116,7 +116,7 @@ def _data() -> Mapping[str, Any]:
 
 
 def _said(text: str | dict[Any, str]) -> str:
-    return Told(text) if isinstance(text, dict) else Cited(text)
+    return Translated(text) if isinstance(text, dict) else Cited(text)
 
 
 def _origin(of: Mapping[str, Any], prefix: str = "") -> Origin:

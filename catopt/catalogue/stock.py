@@ -15,7 +15,7 @@ from catopt.catalogue.formula import Density, Formula, Polynomial, Rows
 from catopt.cells import read_workbook
 from catopt.dimensions import Dimension
 from catopt.errors import InputError, Problem
-from catopt.tables import Column, Row, Sheet, heading, number, read_sheet, shown
+from catopt.tables import Column, Row, Sheet, as_text, heading, number, read_sheet
 from catopt.words import Cited, Message
 
 NUMBERS: Final[Mapping[str, Column]] = {
@@ -80,7 +80,7 @@ def _sheet(path: Path, source: str) -> Sheet:
     for each in cells:
         if each.column > width:
             outside.append(
-                Problem(each.name, shown(f"{each.value}"), Message("refused_file.no_heading"))
+                Problem(each.name, as_text(f"{each.value}"), Message("refused_file.no_heading"))
             )
             continue
         rows.setdefault(each.row, [""] * width)[each.column - 1] = f"{each.value}"
@@ -101,11 +101,11 @@ def _headings(sheet: Sheet) -> list[tuple[str, float]]:
         name = known.get(said.casefold().replace(" ", "_"), "")
         size = NUMBERS[name].size(unit) if name in NUMBERS else 1.0
         if not name:
-            problems.append(Problem("headings", shown(cell), one_of))
+            problems.append(Problem("headings", as_text(cell), one_of))
         elif math.isnan(size) or size == 0.0:
-            problems.append(Problem("headings", shown(cell), NUMBERS[name].wanted))
+            problems.append(Problem("headings", as_text(cell), NUMBERS[name].wanted))
         elif name in [each for each, _ in found]:
-            problems.append(Problem("headings", shown(cell), Message("refused_study.twice")))
+            problems.append(Problem("headings", as_text(cell), Message("refused_study.twice")))
         found.append((name, size))
     for each in NEEDED:
         if each not in [name for name, _ in found]:
@@ -131,12 +131,12 @@ def _size(
         elif said:
             value = number(said, is_decimal_comma=sheet.is_decimal_comma) * size
             if not value > 0.0:
-                problems.append(Problem(place, shown(said), Message("refused_file.above_0")))
+                problems.append(Problem(place, as_text(said), Message("refused_file.above_0")))
             numbers[name] = value
     if texts.get("confidence", "") not in ("", *CONFIDENCES):
         allowed = Message("refused.one_of", words=", ".join(CONFIDENCES))
         problems.append(
-            Problem(f"line {row.line}, confidence", shown(texts["confidence"]), allowed)
+            Problem(f"line {row.line}, confidence", as_text(texts["confidence"]), allowed)
         )
     return _Size(row.line, texts, numbers)
 

@@ -9,7 +9,7 @@ from catopt.catalogue.family import meant, nearest
 from catopt.documents import parse_toml
 from catopt.model.kinds import Findings
 from catopt.units import as_written
-from catopt.words import LANGUAGES, Cited, Message, Told
+from catopt.words import LANGUAGES, Cited, Message, Translated
 
 Word = TypeVar("Word", bound=str)
 
@@ -84,12 +84,12 @@ class TomlTable:
         if set(value) != set(LANGUAGES) or not all(isinstance(v, str) for v in value.values()):
             self.problem(key, Message("refused.text_for_each", words=", ".join(LANGUAGES)))
             return None
-        return Told(value)
+        return Translated(value)
 
     def cited(self, key: str) -> str | None:
         """Read what is cited as it is printed; catopt's own words are in all languages."""
         said = self.said(key)
-        return said if said is None or isinstance(said, Told) else Cited(said)
+        return said if said is None or isinstance(said, Translated) else Cited(said)
 
     def word(self, key: str, words: Sequence[Word]) -> Word | None:
         """Read one of some words."""

@@ -209,7 +209,7 @@ def tension_past_clump(
     return max(T - bed_friction(pieces, joint, friction) * reaction, 0.0)
 
 
-def turned(pieces: Pieces) -> Pieces:
+def reversed_pieces(pieces: Pieces) -> Pieces:
     """Return the same line counted from its other end."""
     joints = len(pieces.length) + 1
     load = pieces.load.copy()

@@ -25,8 +25,8 @@ from catopt.catenary.pieces import (
     above,
     bed_friction,
     below,
+    reversed_pieces,
     total_length,
-    turned,
 )
 from catopt.catenary.roots import bracket, is_closed, narrowed, trial
 from catopt.catenary.state import (
@@ -75,11 +75,14 @@ NOWHERE = Onset(-1, 0.0, NO_PART)
 def from_its_anchor(problem: LineProblem) -> LineProblem:
     """Return the line with its ends exchanged: friction adds to its tension on the way down."""
     return LineProblem(
-        turned(problem.pieces), problem.fairlead_height, problem.anchor_height, -problem.friction
+        reversed_pieces(problem.pieces),
+        problem.fairlead_height,
+        problem.anchor_height,
+        -problem.friction,
     )
 
 
-def turned_back(state: State) -> State:
+def reversed_state(state: State) -> State:
     """Return the state of a line that was solved with its ends exchanged."""
     return State(
         state.status,

@@ -24,7 +24,7 @@ from catopt.catenary.pieces import (
     total_length,
     total_weight,
 )
-from catopt.catenary.sliding import from_its_anchor, loose, onset_of, turned_back
+from catopt.catenary.sliding import from_its_anchor, loose, onset_of, reversed_state
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_HEAVY, TOO_SHORT, State, failed
 from catopt.catenary.suspended import grounded_guess, top_weight
 
@@ -118,7 +118,7 @@ def _while_sliding(span: float, problem: LineProblem) -> State:
     if not math.isnan(below + above):
         state = bracketed_search(BY_SPAN, span, other_way, below, above)
         if state.status == CONVERGED:
-            return turned_back(state)
+            return reversed_state(state)
     return loose(onset_of(span, problem), problem)
 
 

@@ -144,7 +144,7 @@ def for_line_out(criteria: Criteria, lines: int) -> tuple[Criterion, ...]:
     )
 
 
-def judged_states(damaged: tuple[Criterion, ...]) -> tuple[State, ...]:
+def checked_states(damaged: tuple[Criterion, ...]) -> tuple[State, ...]:
     """States in which lines are judged; `damaged`: the criteria for one line out."""
     return ("intact", "one_line_out") if damaged else ("intact",)
 
@@ -153,7 +153,7 @@ def strengths_of_lines(
     criteria: Criteria, legs: Sequence[Leg], damaged: tuple[Criterion, ...]
 ) -> dict[Line, tuple[Strength, ...]]:
     """Find the strengths of each different line of a body; InputError as for `check_case`."""
-    states = judged_states(damaged)
+    states = checked_states(damaged)
     return {line: criteria.strengths(line, {"extreme"}, states) for line in {e.line for e in legs}}
 
 
@@ -218,7 +218,7 @@ def check_network(
     count = len(network.lines)
     damaged = for_line_out(criteria, count)
     rest = rest or at_rest(network)
-    strengths = _strengths(criteria, network, rest, judged_states(damaged))
+    strengths = _strengths(criteria, network, rest, checked_states(damaged))
     gone = (each_line_out(network) if line_out is None else line_out) if damaged else ()
     results: list[CheckResult] = []
     solved: list[tuple[Lifted, Place, bool]] = []

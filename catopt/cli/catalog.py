@@ -90,7 +90,7 @@ def find(
 ) -> None:
     """Find components, anchors and fittings by what they are called."""
     from catopt.catalogue.finding import find as find_all
-    from catopt.loads.holding_table import anchors_held
+    from catopt.loads.holding_table import anchor_holdings
 
     known = _catalogue(families)
     with _by_option({"component": "WORDS", "size": "WORDS"}):
@@ -101,7 +101,9 @@ def find(
             for kind in found.anchors
             if query.mass is None or kind.range[0] <= query.mass <= kind.range[1]
         ]
-        held = anchors_held(fitting or found.anchors, query.soil, query.mass, allow_recalled=True)
+        held = anchor_holdings(
+            fitting or found.anchors, query.soil, query.mass, allow_recalled=True
+        )
     theirs = _families_of(found.components, known)
     _give(asked, "find", theirs, found.components, anchors=held, fittings=found.fittings)
     if found.left_out:
@@ -120,12 +122,14 @@ def anchor(
 ) -> None:
     """Show what a drag anchor holds."""
     from catopt.catalogue.finding import SOILS
-    from catopt.loads.holding_table import anchors_held, named_anchors
+    from catopt.loads.holding_table import anchor_holdings, named_anchors
 
     values = in_si({"--mass": (mass, Dimension.MASS)})
     with _by_option({"anchor": "ANCHOR", "mass": "--mass", "soil": "--soil"}):
         of = None if soil is None else SOILS.get(typed_name(soil).casefold(), soil)
-        held = anchors_held(named_anchors(name), of, values.get("--mass"), allow_recalled=recalled)
+        held = anchor_holdings(
+            named_anchors(name), of, values.get("--mass"), allow_recalled=recalled
+        )
     _give(asked, "anchor", (), anchors=held)
 
 
@@ -171,7 +175,7 @@ def sinker(
     water_density: WaterOption = None,
 ) -> None:
     """Show what a sinker holds on each soil."""
-    from catopt.loads.holding_table import sinkers_held
+    from catopt.loads.holding_table import sinker_holdings
     from catopt.loads.sinker import soil_named
 
     values = in_si(
@@ -183,7 +187,7 @@ def sinker(
     )
     density = given_ones(water_density=values.get("--water-density"))
     with _by_option({"material": "--material"}):
-        held = sinkers_held(
+        held = sinker_holdings(
             values["MASS"], typed_name(material), base_area=values.get("--base-area"), **density
         )
     named = soil if soil is None else soil_named(soil)

@@ -161,7 +161,7 @@ def ship(
     """Compute the loads on a ship, from wind, current and waves."""
     from catopt.loads import METHODS, WaterLevels, every_lying, every_method
     from catopt.loads.ship import BARGE, MIDSHIP, TAKEN_FOR, WATERLINE, box_estimates, estimates
-    from catopt.sizing.environment import DIRECTIONS, directions_of, read_turning, turned_round
+    from catopt.sizing.environment import DIRECTIONS, current_headings, directions_of, read_turning
     from catopt.sizing.input_values import estimated_dimensions, small_craft
     from catopt.sizing.requests import turns_by_itself
     from catopt.sizing.wind import of_the_wind, wind_of_30_s
@@ -222,7 +222,7 @@ def ship(
                 **how,
             ),
             levels,
-            make(turned_round, make(directions_of, of), of["scan"] or math.inf),
+            make(current_headings, make(directions_of, of), of["scan"] or math.inf),
             *weather,
         )
         worst = largest(lyings, lambda each: each.loads.horizontal_force)
@@ -267,11 +267,11 @@ def _known(
 ) -> Iterator[ResolvedInputs]:
     """Read options, and a file if there is one; what is wrong is told as it stands there."""
     from catopt.sizing.file import read_file
-    from catopt.sizing.input_values import known
+    from catopt.sizing.input_values import input_values
 
     given = typed(moored, options)
     if place is None:
-        yield known(moored, given, spell, "options", defaults=_TAKEN, called=called)
+        yield input_values(moored, given, spell, "options", defaults=_TAKEN, called=called)
         return
     file = read_file(place, moored)
     with file.reporting():

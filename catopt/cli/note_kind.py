@@ -19,7 +19,7 @@ from catopt.notes.origin import Asked, asked_in, read_source
 from catopt.notes.system import NetworkNote, SystemNote, read_network_note, read_system_note
 from catopt.progress import Progress
 from catopt.sizing.file import read_file, sized
-from catopt.sizing.input_values import known
+from catopt.sizing.input_values import input_values
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.sizing.requests import size
 from catopt.words import Message
@@ -117,7 +117,7 @@ def note_of_options(options: Options, path: Path | None, asked: Asked) -> SizeNo
             typed[each.name] = True if each.takes == "FLAG" else value
     given = from_texts(moored, typed)
     if path is None:
-        found = known(moored, given, spell, "options")
+        found = input_values(moored, given, spell, "options")
     else:
         found = read_file(path, moored).known(given, spell)
     source = None if path is None else read_source(path)

@@ -181,7 +181,7 @@ def _size(
 ) -> None:
     from catopt.cli.wizard import answered
     from catopt.sizing.file import read_file
-    from catopt.sizing.input_values import known
+    from catopt.sizing.input_values import input_values
 
     # Refuse, before anything is computed, what cannot be written or would replace a case.
     if save is not None and save.exists():
@@ -198,7 +198,7 @@ def _size(
         return
     if place is None:
         given = answered(moored, given, {}, spell, asked.language)
-        found, answer = _sized(asked, known(moored, given, spell, "options"))
+        found, answer = _sized(asked, input_values(moored, given, spell, "options"))
     else:
         file = read_file(place, moored)
         with file.reporting():

@@ -235,7 +235,7 @@ def _options(rows: list[Row], notes: Notes, given: Mapping[str, float]) -> dict[
     if run:
         listed = ", ".join(f"{key} ({number})" for key, number in run.items())
         notes.say("run", keys=listed)
-    return settled(found, notes, given)
+    return with_defaults(found, notes, given)
 
 
 def _option(row: Row, meaning: str, found: dict[str, float], notes: Notes) -> None:
@@ -249,7 +249,9 @@ def _option(row: Row, meaning: str, found: dict[str, float], notes: Notes) -> No
     found[meaning] = notes.value(row.number, value, key, **low)
 
 
-def settled(found: dict[str, float], notes: Notes, given: Mapping[str, float]) -> dict[str, float]:
+def with_defaults(
+    found: dict[str, float], notes: Notes, given: Mapping[str, float]
+) -> dict[str, float]:
     """Put in what the user gives, and what MoorDyn takes where the deck says nothing.
 
     `found`, `given`: gravity, density, depth and friction as far as the deck and the user have

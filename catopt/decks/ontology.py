@@ -10,7 +10,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from catopt.decks.deck import Deck, DeckPiece, LineType, Notes, Point, refusal
-from catopt.decks.moordyn import settled
+from catopt.decks.moordyn import with_defaults
 from catopt.decks.to_case import DeckSection, PointMass, from_sections
 from catopt.decks.tree import YamlTable, parse_yaml
 
@@ -47,7 +47,7 @@ def parse_ontology(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     if "array_mooring" in top and notes.only is None:
         notes.refuse(top.items["array_mooring"].row, "array_mooring", "array_mooring")
     found = {name: general.number(key, above=0.0) for name, key in _KEYS if key in general}
-    site_values = settled(found, notes, given)
+    site_values = with_defaults(found, notes, given)
     friction = general.number("seabed_friction", 0.0, at_least=0.0)
     types = {name: _type(row, notes) for name, row in top.named("mooring_line_types")}
     connectors = {name: _connector(row) for name, row in top.named("mooring_connector_types")}

@@ -12,7 +12,7 @@ def when_read(reported: Callable[[Sequence[str]], None]) -> None:
     _when_read[:] = [reported]
 
 
-def tell(remarks: Sequence[str]) -> None:
+def report_remarks(remarks: Sequence[str]) -> None:
     """Report them to whoever asked for them."""
     for reported in _when_read:
         reported(remarks)

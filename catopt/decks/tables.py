@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from catopt.decks.deck import Deck, DeckPiece, End, LineType, Notes, Point
-from catopt.decks.moordyn import settled
+from catopt.decks.moordyn import with_defaults
 from catopt.decks.ontology import of_family
 from catopt.decks.tree import YamlTable, parse_yaml
 
@@ -61,7 +61,7 @@ def parse_tables(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     if is_raft and "gravity" not in {*found, *given}:
         found["gravity"] = _GRAVITY
         notes.say("raft_gravity", value=_GRAVITY)
-    site = settled(found, notes, given)
+    site = with_defaults(found, notes, given)
     joints = dict(_joints(components.table("floating_platform")))
     types = {row.text("name"): _type(row) for row in mooring.tables("line_types")}
     points = {

@@ -36,7 +36,7 @@ from catopt.hydro.hull import (
     fill_sea,
     fill_sea_between,
     hull_inertia,
-    turn_axes,
+    rotate_axes,
 )
 from catopt.waves.kinematics import Flow
 
@@ -147,7 +147,7 @@ def _predict_hull(h: float, body: Afloat) -> None:
     for i in range(3):
         now.q[i] = before.q[i] + h * (before.v[i] + 0.5 * h * before.a[i])
         now.turn[i] = h * (before.v[3 + i] + 0.5 * h * before.a[3 + i])
-    turn_axes(now.turn, before.axes, now.axes)
+    rotate_axes(now.turn, before.axes, now.axes)
 
 
 def _place_ends(lines: MovingLines, now: Moving, body: Afloat) -> None:
@@ -332,7 +332,7 @@ def _move_hull(part: float, h: float, rules: Any, body: Afloat) -> None:
             now.turn[i - 3] += move
         now.v[i] += by_v * move
         now.a[i] += by_a * move
-    turn_axes(now.turn, body.before.axes, now.axes)
+    rotate_axes(now.turn, body.before.axes, now.axes)
 
 
 def accept_hull(t: float, since: float, body: Afloat) -> None:

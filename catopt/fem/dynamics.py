@@ -26,7 +26,7 @@ from catopt.fem.sampling import Record
 from catopt.fem.seabed import Bed, HeldBed, Seabed
 from catopt.fem.series import Harmonic, Sampled, Series, Together, fill_series, series_rows
 from catopt.fem.simulation import Break, Simulation
-from catopt.fem.sloped_rest import settle_on_slope
+from catopt.fem.sloped_rest import bring_to_rest_on_slope
 from catopt.fem.solve import Leg, solve_line, solve_system
 from catopt.model import Line
 from catopt.model.kinds import Findings
@@ -145,12 +145,12 @@ def _on_slope(
     _check_above_bed(level[-1], seabed.slope)
     if pull is None:
         simulation = Simulation(lines, level, sea=sea)
-        settle_on_slope(simulation, seabed.initial_friction)
+        bring_to_rest_on_slope(simulation, seabed.initial_friction)
     else:
         free = BodyNode(np.array([1.0, 0.0, 0.0]), np.zeros(3), np.zeros(3))
         load = series_rows(np.array([[pull, 0.0, 0.0]]), [None], 0.0)
         simulation = Simulation(lines, level, body=free, load=load, sea=sea)
-        settle_on_slope(simulation, seabed.initial_friction)
+        bring_to_rest_on_slope(simulation, seabed.initial_friction)
         simulation.hold_ends()
     _check_above_bed(simulation.state.x[-1], seabed.slope)
     return simulation

@@ -150,7 +150,7 @@ def march(
                 halvings += 1
                 closed = level <= rules.halvings
                 continue
-            seen = judge_tensions(h, rules.transits, lines, before, room)
+            seen = compare_tensions(h, rules.transits, lines, before, room)
             highest = max(room.highest[0], largest_size(room.now.tension))
             allowed = rules.surprise * max(highest, lines.force_scale)
             if h > seen.longest or (seen.surprise > allowed and h > seen.least):
@@ -218,7 +218,7 @@ class Seen(NamedTuple):
     least: float  # step below which the bar that surprised resolves nothing more, s
 
 
-def judge_tensions(
+def compare_tensions(
     h: float, transits: float, lines: MovingLines, before: Moving, room: Room
 ) -> Seen:
     """Compare tensions at the end of a step of h, s, with what they were heading for.

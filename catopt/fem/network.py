@@ -12,7 +12,7 @@ from catopt.fem.mesh import LineMesh, Problem, Water, build, end_nodes, straight
 from catopt.fem.seabed import Bed, HeldBed
 from catopt.fem.solve import TrussSolution, read_line
 from catopt.fem.static_model import Body
-from catopt.fem.static_newton import Controls, Rest, follow, settle
+from catopt.fem.static_newton import Controls, Rest, bring_to_rest, follow
 
 Vector = tuple[float, float, float]
 
@@ -82,7 +82,9 @@ def solve_network(
     for p in range(len(points)):
         place[p] = there[of_end == p][0]
     problem = build(meshes, held._replace(place=place), under, seabed_friction, Water(), False)
-    rest = settle(problem, straight(problem, there[:, 0], there[:, 1]), controls or Controls())
+    rest = bring_to_rest(
+        problem, straight(problem, there[:, 0], there[:, 1]), controls or Controls()
+    )
     if seabed_friction > 0.0:
         rest = _laid_towards_ends(problem, rest, controls or Controls())
     nodes = np.stack(end_nodes(problem.bars.start), axis=1)

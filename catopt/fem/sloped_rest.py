@@ -25,7 +25,7 @@ _SAME: Final = 1e-5
 """Change of a pull, over the largest tension, that is none."""
 
 
-def settle_on_slope(simulation: Simulation, initial_friction: InitialFriction) -> None:
+def bring_to_rest_on_slope(simulation: Simulation, initial_friction: InitialFriction) -> None:
     """Bring one line to rest on a bed that slopes, from its shape on a level one.
 
     Raises NotConvergedError with the node and the force left over there; or when the line slides

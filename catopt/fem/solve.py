@@ -22,7 +22,7 @@ from catopt.fem.mesh import (
 )
 from catopt.fem.seabed import ABSENT, HELD, ON_BED, Bed, HeldBed, friction_sense
 from catopt.fem.sloped_rest import hanging_part
-from catopt.fem.static_newton import Controls, Rest, follow, settle
+from catopt.fem.static_newton import Controls, Rest, bring_to_rest, follow
 from catopt.model import Line
 from catopt.model.kinds import Findings
 from catopt.words import Message
@@ -416,7 +416,7 @@ def _at_rest(
     """Go on from a solution, or start from lines straight between their ends, (2, lines, 3), m."""
     if start is not None:
         return follow(problem, start.rest, controls or Controls())
-    return settle(problem, straight(problem, *ends), controls or Controls())
+    return bring_to_rest(problem, straight(problem, *ends), controls or Controls())
 
 
 def _check_line(

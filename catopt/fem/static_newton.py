@@ -139,7 +139,7 @@ _LAST_EASE = 1e-6
 """Below this e the next one is 0."""
 
 
-def settle(problem: Problem, start: State, controls: Controls) -> Rest:
+def bring_to_rest(problem: Problem, start: State, controls: Controls) -> Rest:
     """Bring lines to rest from any shape, such as `problem.straight`; that is not changed.
 
     Raises NotConvergedError with the node and the force left over there.
@@ -179,7 +179,7 @@ def follow(problem: Problem, start: Rest, controls: Controls) -> Rest:
 
     The change is cut in two where it is too large for Newton's method. Friction springs keep their
     feet, and drag them along where they slip. Without such a history there is no need to go
-    through every change between: after a few vain cuts the way is that of `settle`.
+    through every change between: after a few vain cuts the way is that of `bring_to_rest`.
 
     `start`: of the same lines; not changed. Raises NotConvergedError with the node and the force
     left over there.
@@ -196,7 +196,7 @@ def follow(problem: Problem, start: Rest, controls: Controls) -> Rest:
         return closed
 
     if not _in_steps(newton, go_to, vain=0.0 if ground.law == SPRING else _VAIN_PART):
-        return settle(problem, start.state, controls)
+        return bring_to_rest(problem, start.state, controls)
     return _rest(newton, problem, ground)
 
 

@@ -31,7 +31,7 @@ from catopt.fem.simulation import Simulation
 from catopt.fem.solve import Leg
 from catopt.floater.alone import HullHistory, freedoms, history_of
 from catopt.hydro.build import FloatingHull, SteppedHull, record_of, room_of, state_of
-from catopt.hydro.hull import Hull, HullRoom, HullState, fill_forces_on_hull, fill_sea, turn_axes
+from catopt.hydro.hull import Hull, HullRoom, HullState, fill_forces_on_hull, fill_sea, rotate_axes
 from catopt.waves import Sea
 from catopt.waves.kinematics import Flow
 from catopt.words import Message
@@ -61,7 +61,7 @@ class _Pose(NamedTuple):
     def moved(self, way: Array) -> _Pose:
         """Go on by a way (6,): m, and turned by rad."""
         axes = np.empty((3, 3))
-        turn_axes(way[3:], self.axes, axes)
+        rotate_axes(way[3:], self.axes, axes)
         return _Pose(self.q + way[:3], axes)
 
 

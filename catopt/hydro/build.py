@@ -15,7 +15,7 @@ from catopt.arrays import Array, Codes, Flags, rounded
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.hydro.coefficients import Coefficients, Memory
 from catopt.hydro.cylinder import FloatingCylinder
-from catopt.hydro.hull import PARTS, Hull, HullRecord, HullRoom, HullState, turn_axes
+from catopt.hydro.hull import PARTS, Hull, HullRecord, HullRoom, HullState, rotate_axes
 from catopt.model.kinds import Findings
 from catopt.waves.kinematics import Flow, water_ends
 from catopt.waves.random_surface import wave_numbers
@@ -505,7 +505,7 @@ def _parts(values: Complex) -> Array:
 def state_of(hull: Hull, place: tuple[float, float, float], pitch: float = 0.0) -> HullState:
     """At rest with its centre of gravity at a place, m, its height above the bed; pitch in rad."""
     axes = np.empty((3, 3))
-    turn_axes((0.0, pitch, 0.0), np.eye(3), axes)
+    rotate_axes((0.0, pitch, 0.0), np.eye(3), axes)
     return HullState(
         q=np.array(place, dtype=float),
         axes=axes,

@@ -121,7 +121,7 @@ def cross(a: Any, b: Any) -> tuple[float, float, float]:
     return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]
 
 
-def turned(by: Any, x: float, y: float, z: float) -> tuple[float, float, float]:
+def rotated(by: Any, x: float, y: float, z: float) -> tuple[float, float, float]:
     """Turn a vector by a rotation about its own direction, as many rad as it is long."""
     square = by[0] * by[0] + by[1] * by[1] + by[2] * by[2]
     angle = math.sqrt(square)
@@ -138,10 +138,10 @@ def turned(by: Any, x: float, y: float, z: float) -> tuple[float, float, float]:
     )
 
 
-def turn_axes(by: Any, axes: Any, to: Any) -> None:
-    """Write axes that are turned by a rotation, as `turned`."""
+def rotate_axes(by: Any, axes: Any, to: Any) -> None:
+    """Write axes that are turned by a rotation, as `rotated`."""
     for j in range(3):
-        to[0, j], to[1, j], to[2, j] = turned(by, axes[0, j], axes[1, j], axes[2, j])
+        to[0, j], to[1, j], to[2, j] = rotated(by, axes[0, j], axes[1, j], axes[2, j])
 
 
 def attitude(axes: Any) -> tuple[float, float, float]:
@@ -178,7 +178,7 @@ def fill_sea_between(
         q, v, axes = at.q, at.v, at.axes
         place = q[0] + ahead * v[0], q[1] + ahead * v[1], q[2] + ahead * v[2]
         by = ahead * v[3], ahead * v[4], ahead * v[5]
-        axis = turned(by, axes[0, 2], axes[1, 2], axes[2, 2])
+        axis = rotated(by, axes[0, 2], axes[1, 2], axes[2, 2])
         _place_slices(hull, place, axis, flow.depth, ends.points)
         look_ahead(t, flow, ends)
         _look_at_sea(t, place[0], place[1], hull, flow, sea[1])

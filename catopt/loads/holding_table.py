@@ -133,7 +133,7 @@ def named_anchors(name: str) -> tuple[AnchorType, ...]:
     raise refused("anchor", as_written(name), wanted, "catalogue")
 
 
-def anchors_held(
+def anchor_holdings(
     kinds: Iterable[AnchorType],
     soil: str | None = None,
     mass: float | None = None,
@@ -173,7 +173,7 @@ def _held(kind: AnchorType, soil: str, mass: float, *, allow_recalled: bool) -> 
     )
 
 
-def sinkers_held(
+def sinker_holdings(
     mass: float,
     material: str = "concrete",
     *,

@@ -24,9 +24,9 @@ from catopt.mooring.joints import (
     friction_of,
     laid_out,
     pulls_of,
+    reversed_line,
     run_of,
     solved,
-    turned_line,
 )
 from catopt.words import Message
 
@@ -96,7 +96,7 @@ def in_rows(network: Network, rows: tuple[Row, ...]) -> Network:
         start = 0.0
         for k, (number, is_turned) in enumerate(row.lines):
             given = network.lines[number].line
-            line = turned_line(given) if is_turned else given
+            line = reversed_line(given) if is_turned else given
             segments += line.segments
             loads += [replace(each, position=each.position + start) for each in line.point_loads]
             start += line.length
@@ -140,7 +140,7 @@ def apart(
                 network.lines[number].name or f"{number + 1}",
                 network.numbers[start],
                 network.numbers[end],
-                turned_line(given) if is_turned else given,
+                reversed_line(given) if is_turned else given,
             )
             at = {own.first: places[start], own.second: places[end]}
             parted[number] = own, solved(own, at, friction_of(whole, run), ends)

@@ -97,7 +97,7 @@ def runs_of(network: Network) -> tuple[Run, ...]:
         line = given.line
         first, second = (network.numbers[end] for end in (given.start, given.end))
         if network.points[second].kind == "anchor" != network.points[first].kind:
-            first, second, line = second, first, turned_line(line)
+            first, second, line = second, first, reversed_line(line)
         runs.append(run_of(given.name or f"{number}", first, second, line))
     return tuple(runs)
 
@@ -135,7 +135,7 @@ def friction_of(network: Network, run: Run) -> float:
     return network.site.seabed_friction if is_anchored(network, run) else 0.0
 
 
-def turned_line(line: Line) -> Line:
+def reversed_line(line: Line) -> Line:
     """Return a line counted from its other end."""
     loads = [replace(load, position=line.length - load.position) for load in line.point_loads]
     return Line(line.segments[::-1], loads)

@@ -18,7 +18,7 @@ import math
 from typing import Any, Final, NamedTuple
 
 from catopt.catenary.equilibrium import given_force
-from catopt.catenary.pieces import LineProblem, Pieces, is_plain, total_length, turned
+from catopt.catenary.pieces import LineProblem, Pieces, is_plain, reversed_pieces, total_length
 from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import (
     CONVERGED,
@@ -326,7 +326,10 @@ def _slopes(state: State, span: float, problem: LineProblem) -> Slopes:
     if problem.friction > 0.0 or problem.anchor_height == 0.0:
         return Slopes(H, 0.0, H_b, V, 0.0, V_b, H, 0.0, H_b, 0.0, 0.0, 0.0)
     other = LineProblem(
-        turned(problem.pieces), problem.fairlead_height, problem.anchor_height, problem.friction
+        reversed_pieces(problem.pieces),
+        problem.fairlead_height,
+        problem.anchor_height,
+        problem.friction,
     )
     back = _solved(span, other, state.H, max(-state.V_anchor, 0.0))
     if back.status != CONVERGED:

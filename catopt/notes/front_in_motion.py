@@ -306,7 +306,12 @@ def run_design(
     `before`: what the seeds came to that were run before these.
     """
     from catopt.verify.dynamic import verify_dynamic
-    from catopt.verify.verdicts import judged_as, solutions_at_rest, with_more_runs, with_verdicts
+    from catopt.verify.verdicts import (
+        solutions_at_rest,
+        with_more_runs,
+        with_settings,
+        with_verdicts,
+    )
 
     try:
         found = verify_dynamic(
@@ -325,7 +330,7 @@ def run_design(
         if seeds is not None and before is None:
             assert case.dynamics is not None
             largest_values = replace(case.dynamics, judged_by="largest")
-            parts = [judged_as(each, largest_values) for each in found.parts]
+            parts = [with_settings(each, largest_values) for each in found.parts]
             judged = replace(found, parts=tuple(parts))
         still = solutions_at_rest(case, found.parts)
         checks = checks_in_motion(judged, still)

@@ -143,10 +143,10 @@ def _of_the_storm(parts: Sequence[DynamicPart]) -> Iterator[Message]:
 
 def _uses(part: DynamicPart, solution: Solution, made: CheckReport) -> Iterator[SegmentUse]:
     """Yield what each segment carries beside what the checks of its tension allow."""
-    from catopt.verify.verdicts import judged_tensions
+    from catopt.verify.verdicts import governing_tensions
 
     allowed = allowed_tensions(made, solution, part.name)
-    largest = judged_tensions(part, part.runs, solution.line)
+    largest = governing_tensions(part, part.runs, solution.line)
     every = zip(solution.segments, largest, allowed, strict=True)
     for number, (segment, carried, capacity) in enumerate(every, start=1):
         yield SegmentUse(number, segment.name, carried, segment.max_tension, capacity)

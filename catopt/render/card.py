@@ -23,7 +23,7 @@ from catopt.answers.blocks import (
     Warnings,
 )
 from catopt.render.terminal import NO_BREAK, Printer, table_lines
-from catopt.render.values import as_wanted, is_seen, parts_of, shown
+from catopt.render.values import as_text, as_wanted, is_seen, parts_of
 from catopt.words import Language, Message, say
 
 LINES, WIDTH = 22, 80
@@ -174,7 +174,7 @@ def _laid(block: CardBlock, lines: int, language: Language) -> list[Line]:
 def _facts(block: Facts, lines: int, language: Language) -> list[str]:
     """Set as many facts as there is room for, and how many more there are."""
     cells = [
-        (say(each.name, language), say(shown(each.value, each.quantity, unit=True), language))
+        (say(each.name, language), say(as_text(each.value, each.quantity, unit=True), language))
         for each in block.facts
     ]
     rows = _rows(cells)

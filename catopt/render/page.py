@@ -37,7 +37,7 @@ from catopt.answers.blocks import (
 from catopt.figures.chart import Film
 from catopt.quantities import GREEK
 from catopt.render.svg import stylesheet, svg
-from catopt.render.values import SEEN, as_wanted, cell, in_language, is_seen, parts_of, shown
+from catopt.render.values import SEEN, as_text, as_wanted, cell, in_language, is_seen, parts_of
 from catopt.words import Language, Message, say
 
 _MOST = 12
@@ -208,7 +208,7 @@ def card(answer: Answer, language: Language = "en") -> str:
     wanted = as_wanted(answer, language)
     blocks = [(type(each).__name__.lower(), each) for each in wanted.card]
     values = {
-        f"{fact.name}": shown(fact.value, fact.quantity, unit=True)
+        f"{fact.name}": as_text(fact.value, fact.quantity, unit=True)
         for _, each in blocks
         if isinstance(each, Facts)
         for fact in each.facts
@@ -332,7 +332,7 @@ def _fact(fact: Fact) -> tuple[_Cell, ...]:
     """Lay out a name, its value in all its units, and the value in SI."""
     si, quantity = _si(fact.value), fact.quantity
     ways = (quantity, *(fact.also if si is not None else ()))
-    said = " = ".join(shown(fact.value, each, unit=True) for each in ways)
+    said = " = ".join(as_text(fact.value, each, unit=True) for each in ways)
     in_si = ""
     if si is not None and quantity is not None:
         # Where it is printed as zero, what rounding left is none, too.

@@ -20,7 +20,7 @@ from catopt.answers.blocks import (
     Warnings,
 )
 from catopt.quantities import QUANTITIES
-from catopt.render.values import as_wanted, cell, is_seen, parts_of, shown
+from catopt.render.values import as_text, as_wanted, cell, is_seen, parts_of
 from catopt.words import Language, Message, Sentence, Several, say, term
 
 _WIDTH = 80
@@ -108,7 +108,7 @@ def _facts(output: Printer, block: Facts, language: Language) -> None:
         symbol = fact.quantity.symbol if fact.quantity else ""
         name = f"{say(fact.name, language)} {symbol}".rstrip()
         ways = (fact.quantity, *(fact.also if fact.value is not None else ()))
-        rows.append([name, *(say(shown(fact.value, each, unit=True), language) for each in ways)])
+        rows.append([name, *(say(as_text(fact.value, each, unit=True), language) for each in ways)])
     width = max(map(len, rows))
     padded = [[*row, *[""] * (width - len(row))] for row in rows]
     # Words that are long fold; what is short is flush right, as numbers are.

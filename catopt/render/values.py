@@ -30,7 +30,7 @@ def parts_of(table: Table) -> Sequence[tuple[str, Sequence[int]]]:
     return table.parts or ((table.caption, rows),)
 
 
-def shown(value: Value, quantity: Quantity | None, *, unit: bool = False) -> str:
+def as_text(value: Value, quantity: Quantity | None, *, unit: bool = False) -> str:
     """Write a value in the field's unit, a message as it is; a dash where it is not known."""
     if value is None or (isinstance(value, float) and math.isnan(value)):
         return "-"
@@ -45,7 +45,7 @@ def shown(value: Value, quantity: Quantity | None, *, unit: bool = False) -> str
 
 def cell(column: Column, row: int) -> str:
     """Write a cell of a table; with its unit where that is the row's own."""
-    return shown(column.values[row], column.quantity_of(row), unit=bool(column.units))
+    return as_text(column.values[row], column.quantity_of(row), unit=bool(column.units))
 
 
 UNITS: ContextVar[Units] = ContextVar("UNITS", default="")

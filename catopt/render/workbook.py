@@ -37,7 +37,7 @@ from catopt.render.sheet import (
     number_pattern,
 )
 from catopt.render.sheet import Text as Words
-from catopt.render.values import as_wanted, shown
+from catopt.render.values import as_text, as_wanted
 from catopt.words import Language, Listed, Message
 
 _WIDTHS = (44.0, 24.0)
@@ -214,4 +214,4 @@ def _cell(sheet: WorkbookSheet, column: Column, row: int, *, is_left: bool = Fal
         return Number(number, number_pattern(quantity, value), is_left=is_left)
     if value is None and not is_left:
         return None
-    return Words(sheet.book.say(shown(value, quantity)))
+    return Words(sheet.book.say(as_text(value, quantity)))

@@ -167,11 +167,11 @@ def as_run(
         height=height,
         force=system.force if force is None else (force, 0.0),
         elements=[bars] * len(system.legs[0].line.segments),
-        bed=held_bed(source, stiffened=stiffened),
+        bed=restrained_bed(source, stiffened=stiffened),
     )
 
 
-def held_bed(source: Published, *, stiffened: bool = True) -> HeldBed:
+def restrained_bed(source: Published, *, stiffened: bool = True) -> HeldBed:
     """Restraint of the source's run: nodes up to the second joint held, EA a hundredfold or not."""
     from catopt.fem import HeldBed
 

@@ -238,7 +238,7 @@ def _properties(source: Published, mooring: Published, bed: BedModel) -> LinePro
             for D, CD, CM in zip(*columns, strict=True)
         ],
         damping=LineDamping(critical_ratio=CRITICAL_RATIO, critical_length="bar"),
-        seabed=fso_rang_dong.held_bed(mooring) if bed == "as run" else Seabed(),
+        seabed=fso_rang_dong.restrained_bed(mooring) if bed == "as run" else Seabed(),
     )
 
 

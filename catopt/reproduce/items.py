@@ -15,7 +15,7 @@ from catopt.catenary.solution import Solution
 from catopt.display import Tabled
 from catopt.records import Counted, From, Record
 from catopt.units import UNITS, Dimension
-from catopt.words import Cited, Language, Message, Several, Told, term
+from catopt.words import Cited, Language, Message, Several, Translated, term
 
 Verdict = Literal["reproduces", "differs", "not reproducible"]
 
@@ -291,7 +291,7 @@ def _data() -> dict[str, Any]:
 
 
 def _said(text: str | dict[Language, str]) -> str:
-    return text if isinstance(text, str) else Told(text)
+    return text if isinstance(text, str) else Translated(text)
 
 
 def published(name: str) -> Published:

@@ -31,10 +31,10 @@ from catopt.sizing.converge import (
     LoadsAt,
     SizingCase,
     Water,
+    converge,
     point_diameter,
     point_pull,
     rounded_up,
-    settle,
 )
 from catopt.sizing.floating import floats_in_storm
 from catopt.sizing.line_choice import LineChoice, sold
@@ -152,7 +152,7 @@ def _settled(request: BuoyRequest, start: Assumed | None = None) -> ConvergedSiz
         pull = min(rounded_up(point_pull(point)), request.reserve_buoyancy)
         return Assumed(point_diameter(point), pull)
 
-    return settle(lambda assumed: pose_buoy(request, assumed), needed, request.line, start)
+    return converge(lambda assumed: pose_buoy(request, assumed), needed, request.line, start)
 
 
 def _eye(request: BuoyRequest, assumed: Assumed) -> float:

@@ -159,7 +159,7 @@ class ConvergedSizing(Record):
         return replace(self.posed.case, line=self.point.line, anchor=self.point.anchor)
 
 
-def settle(
+def converge(
     pose: Callable[[Assumed], SizingCase],
     needed: Callable[[SizingCase, DesignPoint], Assumed],
     choice: LineChoice,

@@ -144,7 +144,7 @@ def weathervaning_of(of: ResolvedInputs, *, is_turned: bool = False) -> Weatherv
         return None  # what is wrong with them is told
     turning = make(partial(read_turning, of["current_yaw"] or "", is_known=is_turned))
     directions = make(partial(directions_of, of))
-    turned = make(turned_round, directions, of["scan"] or math.inf)
+    turned = make(current_headings, directions, of["scan"] or math.inf)
     return make(Weathervaning, turned, turning)
 
 
@@ -184,7 +184,7 @@ def read_turning(
     return Turning(CurrentYaw(intercept, slope), mooring_point)
 
 
-def turned_round(directions: Headings, step: float) -> tuple[Headings, ...]:
+def current_headings(directions: Headings, step: float) -> tuple[Headings, ...]:
     """Turn the current right round from where it is, in steps of 1 to 180 deg, in rad.
 
     A step of infinity gives the beginning alone; any other is refused.

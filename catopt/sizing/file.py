@@ -25,7 +25,7 @@ from catopt.documents import Path, dotted, parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.loads.calmar_file import SUFFIX
 from catopt.sizing.buoy_request import BuoyRequest
-from catopt.sizing.input_values import ResolvedInputs, Spelling, as_keyword, known
+from catopt.sizing.input_values import ResolvedInputs, Spelling, as_keyword, input_values
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import schema_of
 from catopt.sizing.requests import request_of, size
@@ -60,7 +60,7 @@ class SizingFile:
 
         `before`: inputs by name, written as `spell`, that go before those of the file: before their
         own, and before what stands in their place; `defaults`, `called`: as for
-        `catopt.sizing.input_values.known`.
+        `catopt.sizing.input_values.input_values`.
         """
         inputs = self.inputs(before)
 
@@ -78,7 +78,7 @@ class SizingFile:
             and any(each.path[: len(path)] == path[: len(each.path)] for path in told)
         ]
         reported += map(dotted, faulty)
-        return known(
+        return input_values(
             self.moored,
             self.given(before),
             spelled,
@@ -96,7 +96,7 @@ class SizingFile:
         return inputs_of(self.moored, held_by=SINKER if by_sinker else "anchor")
 
     def given(self, before: Mapping[str, object] = _NOTHING) -> dict[str, object]:
-        """Return every input that is given, as the file has it; see `known`."""
+        """Return every input that is given, as the file has it; see `input_values`."""
         found: dict[str, object] = {}
         if "sinker" in self.document and self.moored == "tanker":
             found["anchor"] = SINKER

@@ -261,7 +261,7 @@ def is_needless(each: Input, given: Collection[str]) -> bool:
     return follows or any(other in given for other in (*each.not_with, each.estimated_from))
 
 
-def known(
+def input_values(
     moored: Moored,
     given: Mapping[str, object],
     spell: Spelling = as_keyword,

@@ -10,7 +10,7 @@ from catopt.casefile.reading import Moored
 from catopt.errors import refused
 from catopt.sizing.buoy import sized_buoy
 from catopt.sizing.buoy_request import BuoyRequest
-from catopt.sizing.input_values import known
+from catopt.sizing.input_values import input_values
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.sizing.requests import size
 from catopt.sizing.result import Sizing
@@ -237,7 +237,7 @@ def _sized(
         return sized_tanker(request)
     source = f"size_{moored}"
     if request is None:
-        return size(known(moored, inputs, source=source))
+        return size(input_values(moored, inputs, source=source))
     allowed = Message("refused_sizing.request_wanted_or_keywords_not", moored=moored)
     raise refused("request", f"a {type(request).__name__}", allowed, source)
 

@@ -52,11 +52,11 @@ from catopt.verify.dynamic_setup import read_drive
 from catopt.verify.hulls import hull_of
 from catopt.verify.side_by_side import SECONDS_PER_BAR_AND_STEP, Crew, Threads
 from catopt.verify.verdicts import (
-    judged_as,
     line_in_motion,
     mean_heel,
     way_of,
     with_more_runs,
+    with_settings,
     with_verdicts,
 )
 from catopt.words import Message, Several
@@ -551,7 +551,9 @@ def _slides(of: Judged) -> tuple[SinkerSlide, ...]:
     for each in every[max(0, at - 1) : at + 2]:
         ways = {}
         for judged_by in ("most-probable", "upper"):
-            parts = (judged_as(e, replace(e.drive.dynamics, judged_by=judged_by)) for e in of.parts)
+            parts = (
+                with_settings(e, replace(e.drive.dynamics, judged_by=judged_by)) for e in of.parts
+            )
             ways[judged_by] = max(way_of(each, part, part.runs) for part in parts)
         found.append(SinkerSlide(each.mass or 0.0, ways["most-probable"], ways["upper"]))
     return tuple(found)

@@ -34,7 +34,7 @@ from catopt.sizing.pattern import Pattern
 from catopt.verify.convergence_check import Change
 from catopt.verify.dynamic_result import DynamicPart, Verdict, worst_verdict
 from catopt.verify.ship_result import LineOfShip, ShipWithoutLine
-from catopt.verify.verdicts import check_parts, judged_as, solutions_at_rest, way_of
+from catopt.verify.verdicts import check_parts, solutions_at_rest, way_of, with_settings
 from catopt.words import Message
 
 _ROLL, _PITCH = 3, 4
@@ -81,7 +81,9 @@ def judged(
     if failed:
         return Judged(LineTried.of(line, runs, (), failed[0].message), settled, case)
     assert case.dynamics is not None
-    parts = tuple(judged_as(each, case.dynamics) for each in found if isinstance(each, DynamicPart))
+    parts = tuple(
+        with_settings(each, case.dynamics) for each in found if isinstance(each, DynamicPart)
+    )
     heel = largest_heel(parts)
     if heel >= _TURNED_OVER:
         reason = Message("sizing.turns_over", heel=math.degrees(heel))

@@ -28,10 +28,10 @@ from catopt.sizing.converge import (
     LoadsAt,
     SizingCase,
     Water,
+    converge,
     point_diameter,
     point_pull,
     rounded_up,
-    settle,
 )
 from catopt.sizing.environment import turning_words
 from catopt.sizing.line_choice import longest_useful
@@ -229,7 +229,7 @@ def _settled_within(
             forces = tuple(rounded_up(each.line_force, 3) for each in carried)
         return Assumed(diameter, 0.0 if reserve is None else min(rounded_up(pull), reserve), forces)
 
-    return settle(
+    return converge(
         lambda assumed: pose_tanker(request, assumed, allowed), needed, request.line, start
     )
 

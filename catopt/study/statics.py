@@ -24,7 +24,7 @@ from catopt.model.system import Leg
 from catopt.mooring.batch import SystemSolutions, solve_system_many
 from catopt.mooring.case import report_system
 from catopt.mooring.fixed_body import at_rest as network_at_rest
-from catopt.mooring.joints import turned_line
+from catopt.mooring.joints import reversed_line
 from catopt.mooring.many import solve_network_many
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.study.member import Base, kind_of_key, read_member, reason_of
@@ -209,7 +209,7 @@ def system_of(network: Network) -> System | None:
     for each in network.lines:
         ends, line = [points[each.start], points[each.end]], each.line
         if ends[1].kind == "anchor":
-            ends, line = ends[::-1], turned_line(line)
+            ends, line = ends[::-1], reversed_line(line)
         anchor, fairlead = ends
         has_buoys = any(load.submerged_weight < 0.0 for load in line.point_loads)
         if anchor.kind != "anchor" or not fairlead.body or len(network.bodies) > 1 or has_buoys:

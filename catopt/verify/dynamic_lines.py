@@ -42,7 +42,7 @@ from catopt.mooring.solution import solve_system
 from catopt.verify.dynamic_result import Between
 from catopt.verify.dynamic_setup import Excitation, section_of
 from catopt.verify.hulls import HULLS, hull_of
-from catopt.verify.line import truss_legs, turned
+from catopt.verify.line import rotated, truss_legs
 from catopt.waves import Sea, Waves
 from catopt.words import Message
 
@@ -281,12 +281,12 @@ class LinesOfABody:
         vessel = self.drive.vessel
         assert vessel is not None
         x, y, height = self.place
-        from_origin = turned(arm[0], arm[1], -self.yaw)
+        from_origin = rotated(arm[0], arm[1], -self.yaw)
         heading = float(waves.direction[0]) - self.yaw
         raos = vessel.of_point(heading, (*from_origin, height + arm[2]))
-        along, across = turned(1.0, 0.0, self.yaw), turned(0.0, 1.0, self.yaw)
+        along, across = rotated(1.0, 0.0, self.yaw), rotated(0.0, 1.0, self.yaw)
         response = raos.response @ np.array([(*along, 0.0), (*across, 0.0), (0.0, 0.0, 1.0)])
-        ahead, aside = turned(vessel.crest[0], vessel.crest[1], self.yaw)
+        ahead, aside = rotated(vessel.crest[0], vessel.crest[1], self.yaw)
         of_earth = type(raos)(raos.omega, response)
         return of_earth.motion(waves, wave_numbers, x + ahead, y + aside)
 

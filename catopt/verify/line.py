@@ -343,14 +343,14 @@ def truss_legs(system: System, yaw: float) -> tuple[list[TrussLeg], float]:
         TrussLeg(
             leg.line,
             (*leg.anchor, leg.anchor_height),
-            (*turned(*leg.fairlead, yaw), leg.fairlead_height - height),
+            (*rotated(*leg.fairlead, yaw), leg.fairlead_height - height),
         )
         for leg in system.legs
     ]
     return legs, height
 
 
-def turned(x: float, y: float, angle: float) -> tuple[float, float]:
+def rotated(x: float, y: float, angle: float) -> tuple[float, float]:
     """Turn a way in plan counter-clockwise by an angle, rad."""
     cosine, sine = math.cos(angle), math.sin(angle)
     return cosine * x - sine * y, sine * x + cosine * y

@@ -284,7 +284,7 @@ def remarks_of(case: Case, moored: MooredShip, sea: Sea, rest: ShipAtRest) -> It
         yield Message("floater.own_force", given=given / 1e3, own=math.hypot(*rest.force) / 1e3)
 
 
-def judged_by_words(lines: tuple[LineOfShip, ...], dynamics: Dynamics) -> Iterator[Message]:
+def governing_words(lines: tuple[LineOfShip, ...], dynamics: Dynamics) -> Iterator[Message]:
     """Yield by what the most loaded line is judged, where that is not the combined largest."""
     by = dynamics.judged_by
     most = largest(lines, lambda each: each.judged(by))

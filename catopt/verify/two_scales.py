@@ -53,7 +53,7 @@ from catopt.verify.ship_result import (
     ShipWithoutLine,
     Swing,
     few_cycles,
-    judged_by_words,
+    governing_words,
     offset_of,
     remarks_of,
     slow_cycles,
@@ -153,7 +153,7 @@ def verify_ship(
     asked = case.system is not None and case.system.judged_line_out
     remarks: tuple[Message, ...] = (
         swing.words,
-        *judged_by_words(lines, dynamics),
+        *governing_words(lines, dynamics),
         *few_cycles(slow_cycles(histories, rest)),
         *remarks_of(case, moored, drive.sea(0), rest),
         *_of_losses(lost, needless),
@@ -163,7 +163,7 @@ def verify_ship(
             else (Message("checks.line_out_not_asked"),)
         ),
     )
-    hanging = hang_judged(lines, moored)
+    hanging = hang_under_governing(lines, moored)
     checks, directions = check_hanging(case, hanging, lost), _waves(drive, 0).direction
     change = None
     if proven:
@@ -318,7 +318,7 @@ def _without(
     try:
         histories = _histories(left, drive, tell)
         lines = tuple(_lines(left, numbers, histories, drive.dynamics))
-        hanging = hang_judged(lines, left)
+        hanging = hang_under_governing(lines, left)
     except NoAnswerError as error:
         return ShipWithoutLine(number, refusal=error.args[0])
     offset = offset_of(histories, (neutral.x, neutral.y), storm)
@@ -425,7 +425,7 @@ def _criteria(case: Case) -> Criteria:
     return criteria_of(replace(case, checks=replace(own, motion_code=None)))
 
 
-def hang_judged(lines: tuple[LineOfShip, ...], moored: MooredShip) -> tuple[Solution, ...]:
+def hang_under_governing(lines: tuple[LineOfShip, ...], moored: MooredShip) -> tuple[Solution, ...]:
     """Hang each line under the tension at its fairlead that it is judged by."""
     return tuple(
         solve(

@@ -34,7 +34,7 @@ def beyond_MBL(part: DynamicPart) -> BeyondMBL | None:
     over = [
         BeyondMBL(number, tension, segment.MBL)
         for number, (segment, tension) in enumerate(
-            zip(line.segments, judged_tensions(part, part.runs, line), strict=True), start=1
+            zip(line.segments, governing_tensions(part, part.runs, line), strict=True), start=1
         )
         if segment.MBL is not None and tension > segment.MBL
     ]
@@ -54,7 +54,7 @@ def solutions_at_rest(
     return [solve_case(part.drive.one) for part in parts]
 
 
-def judged_as(part: DynamicPart, dynamics: Dynamics) -> DynamicPart:
+def with_settings(part: DynamicPart, dynamics: Dynamics) -> DynamicPart:
     """Judge a part as other settings of its runs ask for it."""
     case = replace(part.drive.case, dynamics=dynamics)
     return replace(part, drive=replace(part.drive, case=case))
@@ -83,11 +83,13 @@ def line_in_motion(
     """Take together what the runs of a line came to; its mean tensions are those at rest."""
     line = part.own_line if still is None else still.line
     mean = None if still is None else tuple(e.max_tension for e in still.segments)
-    tensions, carried = judged_tensions(part, runs, line), _carried(case, part, runs)
+    tensions, carried = governing_tensions(part, runs, line), _carried(case, part, runs)
     return LineInMotion(line, tensions, mean, part.name, part.line, carried)
 
 
-def judged_tensions(part: DynamicPart, runs: Sequence[DynamicRun], line: Line) -> tuple[float, ...]:
+def governing_tensions(
+    part: DynamicPart, runs: Sequence[DynamicRun], line: Line
+) -> tuple[float, ...]:
     """Tension of each segment that the checks are held against, N.
 
     The largest over all runs, of its bars and of an end it holds. Where the storm's maximum is

@@ -7,8 +7,8 @@ Kinds of messages:
 
 - `Message("GROUP.NAME", **values)`: a text of ``texts/GROUP.toml``; ``count`` chooses one or many.
 - `Several` and `Listed` join others, `Sentence` ends one with a full stop.
-- `Told` is a text of a data file, ``{ en = "...", vi = "..." }``: notes of codes and families,
-  titles of published studies (`catopt.catalogue.table.TomlTable.said`).
+- `Translated` is a text of a data file, ``{ en = "...", vi = "..." }``: notes of codes and
+  families, titles of published studies (`catopt.catalogue.table.TomlTable.said`).
 - `Measure` is a value with its unit, `Cited` what is the same in every language.
 
 An error has its message as ``error.message``; ``str(error)`` is English. The messages of a JSON
@@ -43,7 +43,7 @@ from catopt.words.message import (
     Message,
     Sentence,
     Several,
-    Told,
+    Translated,
     Unit,
     given_keys,
     heading,
@@ -64,7 +64,7 @@ __all__ = [
     "Message",
     "Sentence",
     "Several",
-    "Told",
+    "Translated",
     "Unit",
     "given_keys",
     "heading",

@@ -59,14 +59,14 @@ def text(key: str, language: Language, values: Mapping[str, object]) -> str:
 _SIZE = re.compile(r"(?P<grade>.*?) ?\b(?P<size>[\d.]+ mm)")
 
 
-def shown_name(name: str, language: Language) -> str:
+def display_name(name: str, language: Language) -> str:
     """Say a buoy of the library, or a component with its size; any other text stays as it is.
 
     A family without a size stays, too: so it is typed.
 
     Examples
     --------
-    >>> shown_name("chain studless R3 76 mm", "vi"), shown_name("chain studless R3", "vi")
+    >>> display_name("chain studless R3 76 mm", "vi"), display_name("chain studless R3", "vi")
     ('xích không ngáng R3 76 mm', 'chain studless R3')
     """
     names = _names(language)
@@ -263,7 +263,7 @@ def _ended(words: str, capital: bool) -> str:
     return f"{first}{words[1:].rstrip('.')}."
 
 
-class Told(Message):
+class Translated(Message):
     """A text of a data file, which has it in every language: ``{ en = "...", vi = "..." }``.
 
     Raises KeyError where a language is missing.
@@ -271,7 +271,7 @@ class Told(Message):
 
     texts: Mapping[Language, str]
 
-    def __new__(cls, texts: Mapping[Language, str]) -> Told:
+    def __new__(cls, texts: Mapping[Language, str]) -> Translated:
         """Take the English text."""
         kept = {language: texts[language] for language in LANGUAGES}
         return cls.made_of(kept["en"], texts=kept)
@@ -296,7 +296,7 @@ def say(said: str, language: Language) -> str:
         return str(said) if isinstance(said, Message) else said
     if isinstance(said, Message):
         return said.said(language)
-    return said if isinstance(said, Cited) else shown_name(said, language)
+    return said if isinstance(said, Cited) else display_name(said, language)
 
 
 def is_said(said: str, key: str) -> bool:
@@ -391,7 +391,7 @@ class Term(Message):
         parts = [str(self)] if self in known else self.split(", ")
         if all(part in known for part in parts):
             return ", ".join(Message(known[part]).said(language) for part in parts)
-        return shown_name(str(self), language)
+        return display_name(str(self), language)
 
 
 def term(english: str) -> Message:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
-from catopt.words.message import Listed, Measure, Message, Sentence, Several, Term, Told
+from catopt.words.message import Listed, Measure, Message, Sentence, Several, Term, Translated
 
 
 def messages_in(document: object) -> dict[str, Any]:
@@ -66,7 +66,7 @@ def _restored(saved: Any) -> Any:
         values = {name: _restored(value) for name, value in saved["values"].items()}
         return Message(saved["key"], **values)
     if "texts" in saved:
-        return Told(saved["texts"])
+        return Translated(saved["texts"])
     kind = _KINDS[(_KINDS.keys() & saved.keys()).pop()]
     return kind(**{name: _restored(part) for name, part in saved.items()})
 

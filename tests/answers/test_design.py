@@ -12,7 +12,7 @@ import pytest
 
 import catopt
 from catopt.answers.check import check_answer
-from catopt.answers.design import design_answer, shown_designs
+from catopt.answers.design import design_answer, listed_designs
 from catopt.checks.kinds import CHECK_KINDS
 from catopt.design.result import DesignResult, clump_weight_words, segment_words
 from catopt.figures.sizing import ends, front, front_lines
@@ -120,11 +120,11 @@ def test_the_figure_shows_front_and_three_lines(name: str) -> None:
 
 
 def test_which_designs_of_a_front_people_see() -> None:
-    assert shown_designs(25, 7) == tuple(range(25))
+    assert listed_designs(25, 7) == tuple(range(25))
     # Every second of 26, the last, and the one that is named.
-    assert shown_designs(26, 7) == (0, 2, 4, 6, 7, *range(8, 26, 2), 25)
-    assert {0, 41, 998, 999} <= set(shown_designs(1000, 41, 998))
-    assert len(shown_designs(1000, 41, 998)) <= 25 + 3
+    assert listed_designs(26, 7) == (0, 2, 4, 6, 7, *range(8, 26, 2), 25)
+    assert {0, 41, 998, 999} <= set(listed_designs(1000, 41, 998))
+    assert len(listed_designs(1000, 41, 998)) <= 25 + 3
 
 
 def test_every_check_that_a_design_can_pass_has_its_column() -> None:

@@ -26,9 +26,9 @@ from catopt.quantities import Units
 from catopt.render.card import LINES, WIDTH, card_lines
 from catopt.render.values import UNITS
 from catopt.sizing import Sizing
-from catopt.sizing.input_values import ResolvedInputs, known
+from catopt.sizing.input_values import ResolvedInputs, input_values
 from catopt.sizing.requests import size
-from catopt.words import LANGUAGES, Language, Message, Told, say
+from catopt.words import LANGUAGES, Language, Message, Translated, say
 from tests.sizing.at_rest import size_buoy, size_tanker
 
 from .results import around, by_force
@@ -53,7 +53,7 @@ SIZINGS = {"buoy": buoy, "by force": by_force, "steady": steady, "ship": ship, "
 of_each = pytest.mark.parametrize("name", SIZINGS)
 in_both_languages = pytest.mark.parametrize("language", LANGUAGES)
 
-LONG = Told({"en": "long words " * 30, "vi": "lời rất dài " * 30})
+LONG = Translated({"en": "long words " * 30, "vi": "lời rất dài " * 30})
 
 
 def screen(of: Sizing, language: Language = "en", units: Units = "") -> list[str]:
@@ -95,11 +95,11 @@ def test_it_has_at_most_22_lines_of_80_columns(name: str, language: Language) ->
 def test_no_word_is_cut_and_what_has_no_room_is_counted(language: Language) -> None:
     """Of five items of 90 words the first is cut at a word, and four more are counted."""
     items = tuple(
-        Told({"en": " ".join(f"word{k}-{n}" for n in range(90)), "vi": " ".join(["từ"] * 90)})
+        Translated({"en": " ".join(f"word{k}-{n}" for n in range(90)), "vi": " ".join(["từ"] * 90)})
         for k in range(5)
     )
-    brief = Brief(items, Told({"en": "items", "vi": "mục"}), 3)
-    answer = Answer("some", Told({"en": "title " * 40, "vi": "tên " * 40}), (), card=(brief,))
+    brief = Brief(items, Translated({"en": "items", "vi": "mục"}), 3)
+    answer = Answer("some", Translated({"en": "title " * 40, "vi": "tên " * 40}), (), card=(brief,))
     title, *lines = (each.text for each in card_lines(answer, language))
     assert title.endswith("...")
     assert len(lines) == 3
@@ -113,8 +113,8 @@ def test_no_word_is_cut_and_what_has_no_room_is_counted(language: Language) -> N
 
 
 def test_an_item_that_fills_its_line_leaves_room_for_the_count() -> None:
-    said = tuple(Told({"en": "x" * 38 + " " + "y" * 37, "vi": ""}) for _ in range(4))
-    answer = Answer("some", Told({"en": "title", "vi": "tên"}), (), card=(Brief(said),))
+    said = tuple(Translated({"en": "x" * 38 + " " + "y" * 37, "vi": ""}) for _ in range(4))
+    answer = Answer("some", Translated({"en": "title", "vi": "tên"}), (), card=(Brief(said),))
     _, line = (each.text for each in card_lines(answer, "en"))
     assert line == "x" * 38 + " ...; 3 more"
 
@@ -200,7 +200,7 @@ def test_its_words_are_messages(name: str) -> None:
 
 def test_what_a_later_core_says_has_its_place() -> None:
     """What stands beside the line is on the screen, in the full answer, the note, the document."""
-    own = {key: Told({"en": f"{key} said", "vi": f"{key} nói"}) for key in ("a", "b", "c")}
+    own = {key: Translated({"en": f"{key} said", "vi": f"{key} nói"}) for key in ("a", "b", "c")}
     of = replace(
         buoy(), practice=own["a"], fittings=(own["b"],), advice=(own["c"],), chain_life=7.3 * YEAR
     )
@@ -227,7 +227,7 @@ SPELLED = {"buoy": by_option, "tanker": as_option}
 
 @cache
 def missed(moored: Moored, **more: str) -> tuple[NoFeasibleDesignError, ResolvedInputs]:
-    of = known(moored, {**BARE[moored], **more}, SPELLED[moored], "options")
+    of = input_values(moored, {**BARE[moored], **more}, SPELLED[moored], "options")
     with pytest.raises(NoFeasibleDesignError) as caught:
         size(of)
     return caught.value, of

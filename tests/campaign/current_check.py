@@ -20,7 +20,7 @@ from catopt.model import Line
 from catopt.model.network import Network
 from catopt.model.sea import CurrentProfile
 from catopt.mooring.fixed_body import at_rest
-from catopt.mooring.joints import pulls_of, turned_line
+from catopt.mooring.joints import pulls_of, reversed_line
 from catopt.mooring.network_rest import LinesAtRest, LinesInCurrent
 from tests.campaign.networks import drawn_afloat
 
@@ -103,7 +103,7 @@ def _line_faults(found: LinesInCurrent, number: int) -> Iterator[str]:
         each.line for k, each in enumerate(network.lines) if (each.name or f"{k + 1}") == run.name
     ]
     first, second = (np.array(found.joints.places[k]) for k in (run.first, run.second))
-    line = given if run.line == given else turned_line(given)
+    line = given if run.line == given else reversed_line(given)
     tension = max(np.linalg.norm(ends.first), np.linalg.norm(ends.second))
     hangs = line.length - found.lines[number].grounded_length
     end = _followed(found, line, second, -np.array(ends.second), hangs)

@@ -26,7 +26,7 @@ from catopt.model import Site
 from catopt.model.network import Network, Point
 from catopt.mooring.chains import rows_of
 from catopt.mooring.fixed_body import at_rest
-from catopt.mooring.joints import Vector, turned_line
+from catopt.mooring.joints import Vector, reversed_line
 from catopt.mooring.network_rest import LinesAtRest
 from tests.campaign.networks import counted, drawn
 
@@ -132,7 +132,7 @@ def _left(found: LinesAtRest, places: dict[str, Vector]) -> tuple[dict[str, list
     owners = {point.name: point.body or point.name for point in network.points}
     for run, given in zip(found.runs, network.lines, strict=True):
         ends = [network.points[k].name for k in (run.first, run.second)]
-        line = given.line if ends[0] == given.start else turned_line(given.line)
+        line = given.line if ends[0] == given.start else reversed_line(given.line)
         a, b = (places[name] for name in ends)
         away = (b[0] - a[0], b[1] - a[1])
         size = math.hypot(*away)

@@ -22,7 +22,7 @@ from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic
 from catopt.model import Line, PointLoad, Segment
 from catopt.model.network import Point
-from catopt.mooring.joints import turned_line
+from catopt.mooring.joints import reversed_line
 from catopt.waves import Sea, regular_wave
 
 SECTION = MorisonSection(0.05, 1.6, 0.3, 1.0, 0.1)
@@ -96,7 +96,7 @@ def crowfoot(turned: tuple[bool, bool, bool], scheme: Scheme | None = None) -> H
     lines = [Line([CHAIN]), Line([ROPE]), Line([ROPE])]
     motions = [(None, None), (None, MOTION), (None, MOTION)]
     return run_network_dynamics(
-        [mesh_line(turned_line(x) if t else x, 12) for x, t in zip(lines, turned, strict=True)],
+        [mesh_line(reversed_line(x) if t else x, 12) for x, t in zip(lines, turned, strict=True)],
         [pair[::-1] if t else pair for pair, t in zip(ends, turned, strict=True)],
         [Point("joint", "joint", submerged_weight=-900.0, mass=300.0)],
         replace(STEPPING, scheme=scheme or STEPPING.scheme),

@@ -22,7 +22,7 @@ from catopt.fem import (
     TimeStepping,
     run_dynamics,
 )
-from catopt.fem.march import judge_tensions
+from catopt.fem.march import compare_tensions
 from catopt.model import Line, Segment
 from catopt.waves import Sea
 from tests.fem.strings import plain_simulation
@@ -144,13 +144,13 @@ def test_a_slack_bar_that_goes_taut_asks_for_two_transits() -> None:
     room.highest[0] = 100e3
     room.now.tension[:] = [0.0, 50e3, 0.5e3, 0.0]
     room.loose[:] = [True, True, True, False]
-    seen = judge_tensions(0.1, 2.0, simulation.lines, before, room)
+    seen = compare_tensions(0.1, 2.0, simulation.lines, before, room)
     assert seen.longest == pytest.approx(0.010)
     assert seen.passes == pytest.approx(20 * 0.005)
     assert seen.surprise == 50e3
     assert seen.least == pytest.approx(0.005)
     room.loose[1] = False  # it was taut; half a per cent of the largest makes no bar taut
-    seen = judge_tensions(0.1, 2.0, simulation.lines, before, room)
+    seen = compare_tensions(0.1, 2.0, simulation.lines, before, room)
     assert (seen.longest, seen.passes) == (math.inf, 0.0)
 
 

@@ -17,7 +17,7 @@ from catopt.fem.dynamics import line_at_rest, run_dynamics, run_system_dynamics
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, series_rows
 from catopt.fem.simulation import Simulation
-from catopt.fem.sloped_rest import settle_on_slope
+from catopt.fem.sloped_rest import bring_to_rest_on_slope
 from catopt.fem.solve import Leg
 from catopt.model import Line, Segment
 from tests.fem.strings import run
@@ -126,7 +126,7 @@ def test_a_line_that_hangs_on_the_slope(state: State, sense: float) -> None:
     """T = w (sin a - mu cos a) s at the arc length s from the free end, if it was let down."""
     angle, friction = math.radians(20.0), 0.2
     simulation = hung_on_slope(friction, angle)
-    settle_on_slope(simulation, state)
+    bring_to_rest_on_slope(simulation, state)
     s = np.linspace(0.0, LENGTH, 101)
     middle = 0.5 * (s[1:] + s[:-1])
     expected = W * (math.sin(angle) + sense * friction * math.cos(angle)) * middle
@@ -142,7 +142,7 @@ def test_a_line_dragged_up_and_let_down_the_slope() -> None:
     """
     angle, friction, period = math.radians(20.0), 0.2, 200.0
     simulation = hung_on_slope(friction, angle)
-    settle_on_slope(simulation, "none")
+    bring_to_rest_on_slope(simulation, "none")
     way = (math.cos(angle), 0.0, math.sin(angle))
     simulation.prescribed_motion = series_rows(
         simulation.state.x[-1:], [Harmonic(period, way, (0.5 * math.pi,) * 3)], 0.25 * period

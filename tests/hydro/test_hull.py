@@ -31,7 +31,7 @@ from catopt.hydro.hull import (
     fill_sea_between,
     hull_inertia,
     keep_sea,
-    turned,
+    rotated,
 )
 from catopt.waves import Sea, regular_wave
 
@@ -77,9 +77,9 @@ def pushed(hull: Hull, state: HullState, room: HullRoom) -> Array:
 def test_vectors_are_turned_as_by_another_library() -> None:
     vector, by = np.array([1.0, -2.0, 0.5]), np.array([0.3, -1.1, 0.7])
     assert cross(vector, by) == pytest.approx(np.cross(vector, by))
-    assert turned(by, *vector) == pytest.approx(Rotation.from_rotvec(by).apply(vector))
+    assert rotated(by, *vector) == pytest.approx(Rotation.from_rotvec(by).apply(vector))
     small = 1e-10 * by
-    assert np.array(turned(small, *vector)) - vector == pytest.approx(
+    assert np.array(rotated(small, *vector)) - vector == pytest.approx(
         np.cross(small, vector), rel=1e-5, abs=1e-16
     )
     assert state_of(spar(), (0.0, 0.0, 30.0), 0.2).axes == pytest.approx(

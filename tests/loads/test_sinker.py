@@ -7,7 +7,7 @@ import pytest
 from catopt.errors import InputError, NoAnswerError
 from catopt.loads import size_sinker
 from catopt.loads.component import LoadSource
-from catopt.loads.holding_table import sinkers_held
+from catopt.loads.holding_table import sinker_holdings
 from catopt.loads.sinker import (
     ADHESION,
     SOIL_FRICTION,
@@ -160,7 +160,7 @@ def test_the_table_of_what_a_sinker_holds() -> None:
 
     On soft clay 0.25 of it, 7.02 kN, on 4 m2; on 0.5 m2 10 kPa hold 5 kN.
     """
-    rows = {each.soil: each for each in sinkers_held(5e3, base_area=4.0)}
+    rows = {each.soil: each for each in sinker_holdings(5e3, base_area=4.0)}
     sand = rows["clean fine to medium sand"]
     weight = 5e3 * G * (1.0 - 1025.0 / 2400.0)
     assert sand.submerged_weight == pytest.approx(weight, rel=ROUNDING)
@@ -168,11 +168,11 @@ def test_the_table_of_what_a_sinker_holds() -> None:
     assert sand.pull == pytest.approx(0.30 * weight / 1.5, rel=ROUNDING)
     assert rows["soft clay"].holding == pytest.approx(0.25 * weight, rel=ROUNDING)
     assert rows["stiff clay"].holding == pytest.approx(0.30 * weight, rel=ROUNDING)
-    (small,) = (e for e in sinkers_held(5e3, base_area=0.5) if e.soil == "soft clay")
+    (small,) = (e for e in sinker_holdings(5e3, base_area=0.5) if e.soil == "soft clay")
     assert small.holding == pytest.approx(5e3, rel=ROUNDING)
     assert small.adhesion == 10e3
     with pytest.raises(InputError, match="one of concrete"):
-        sinkers_held(5e3, "lead")
+        sinker_holdings(5e3, "lead")
 
 
 ORDER = (

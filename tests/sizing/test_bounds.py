@@ -23,7 +23,7 @@ from catopt.sizing import (
     TankerRequest,
 )
 from catopt.sizing.alternatives import Alternative
-from catopt.sizing.environment import mean_over, turned_round, usual_period
+from catopt.sizing.environment import current_headings, mean_over, usual_period
 from catopt.sizing.line_choice import longest_useful, round_step, sold
 from tests.sizing.at_rest import size_tanker
 from tests.sizing.test_consistency import LOADED, SHIP, deep
@@ -383,17 +383,17 @@ def test_a_wind_is_converted_up_to_the_bounds_of_its_mean(time: float) -> None:
 )
 def test_the_current_is_turned_right_round_once(step: float, turns: tuple[float, ...]) -> None:
     start = Headings(wind=0.1, current=math.radians(10.0), waves=0.2)
-    found = turned_round(start, math.radians(step))
+    found = current_headings(start, math.radians(step))
     assert [math.degrees(each.current) for each in found] == pytest.approx(turns, abs=1e-9)
     assert {(each.wind, each.waves) for each in found} == {(0.1, 0.2)}
 
 
 def test_the_steps_of_a_turn_are_of_1_to_180_deg() -> None:
     start = Headings()
-    assert len(turned_round(start, math.radians(1.0))) == 360
-    assert turned_round(start, math.inf) == (start,)
+    assert len(current_headings(start, math.radians(1.0))) == 360
+    assert current_headings(start, math.inf) == (start,)
     for degrees in (0.99, 180.1):
-        found = told(lambda degrees=degrees: turned_round(start, math.radians(degrees)))  # type: ignore[misc]
+        found = told(lambda degrees=degrees: current_headings(start, math.radians(degrees)))  # type: ignore[misc]
         assert found == {"scan": "a step of 1 to 180 deg is required"}
 
 

@@ -13,7 +13,7 @@ from catopt.errors import InputError
 from catopt.loads import YAW_TYPES, Afloat, Headings, Turning, every_lying
 from catopt.notes.line import Given, size_note
 from catopt.notes.origin import Asked
-from catopt.sizing.input_values import known
+from catopt.sizing.input_values import input_values
 from catopt.sizing.requests import request_of
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker_request import TankerRequest
@@ -37,7 +37,7 @@ def turned() -> Sizing:
 def test_each_load_case_has_the_largest_force_of_all_directions_and_headings(
     turned: Sizing,
 ) -> None:
-    request = request_of(known("tanker", {**SHIP, **SCAN}))
+    request = request_of(input_values("tanker", {**SHIP, **SCAN}))
     assert isinstance(request, TankerRequest)
     env = request.environment
     round_ = [Headings(current=math.remainder(k * math.pi / 6.0, math.tau)) for k in range(12)]

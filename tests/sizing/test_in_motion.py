@@ -37,7 +37,7 @@ from catopt.sizing.in_motion import (
     RunsAfloat,
     Storm,
 )
-from catopt.sizing.input_values import known
+from catopt.sizing.input_values import input_values
 from catopt.sizing.line_choice import LineChoice, sold
 from catopt.sizing.requests import request_of
 from catopt.sizing.result import Sizing
@@ -119,7 +119,7 @@ def test_it_finds_what_running_every_line_would(
         return length >= NEEDS[size]
 
     found, run = searched(holds, monkeypatch, prefer=prefer)
-    request: Any = request_of(known("buoy", {**PLACE, "prefer": prefer}))
+    request: Any = request_of(input_values("buoy", {**PLACE, "prefer": prefer}))
     per_metre = {
         round(1e3 * (each.nominal_diameter or 0.0), 6): each.mass or 0.0
         for each in sold(request.line, request.environment.water_density)
@@ -237,7 +237,7 @@ def test_runs_want_to_be_in_motion() -> None:
 def test_a_buoy_of_the_library_is_one_wherever_its_file_lies() -> None:
     """CALMAR's own file names another origin; another mass is another buoy."""
     place: dict[str, Any] = {"buoy": "T-5000l-2.4m", "depth": "12 m"}
-    request: Any = request_of(known("buoy", place))
+    request: Any = request_of(input_values("buoy", place))
     with alone():
         case = size_buoy(**place).case
     read = replace(request.buoy, origin="T-5000l-2.4m.xmlMB")
@@ -269,7 +269,7 @@ SHORT = RunsAfloat(1, 60.0, 12)
 @pytest.fixture(scope="module")
 def calm() -> Sizing:
     """Size one in a harbour's waves, with short runs of few bars."""
-    request: Any = request_of(known("buoy", CALM))
+    request: Any = request_of(input_values("buoy", CALM))
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(searching, "processes_for", lambda *_: 2)
         return size_buoy(replace(request, in_motion=SHORT))
@@ -380,13 +380,13 @@ def test_the_digits_do_not_hang_on_the_number_of_processes(
     calm: Sizing, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(searching, "processes_for", lambda *_: 3)
-    request: Any = request_of(known("buoy", CALM))
+    request: Any = request_of(input_values("buoy", CALM))
     assert size_buoy(replace(request, in_motion=SHORT)).to_dict() == calm.to_dict()
 
 
 def test_a_line_passes_in_every_sea_and_what_governs_is_named(calm: Sizing) -> None:
     """Each sea by itself, run as its case is verified, comes to the same checks."""
-    request: Any = request_of(known("buoy", CALM))
+    request: Any = request_of(input_values("buoy", CALM))
     with pytest.MonkeyPatch.context() as patched:
         patched.setattr(searching, "processes_for", lambda *_: 2)
         of = size_buoy(replace(request, in_motion=replace(SHORT, periods=(3.0, 4.0))))
@@ -422,7 +422,7 @@ def test_a_line_passes_in_every_sea_and_what_governs_is_named(calm: Sizing) -> N
 
 def test_seas_along_a_contour_have_heights_of_their_own() -> None:
     """Each sea by itself, run as its case is verified, comes to the same checks."""
-    request: Any = request_of(known("buoy", CALM))
+    request: Any = request_of(input_values("buoy", CALM))
     height = request.environment.sea.hs
     heights, periods = (0.6 * height, height), (3.0, 4.0)
     with pytest.MonkeyPatch.context() as patched:
@@ -466,12 +466,12 @@ def test_heights_that_go_with_no_sea_are_refused(given: dict[str, Any], said: st
 def test_the_range_that_jonswap_stands_for() -> None:
     """3.6 to 5 roots of Hs, at 4 m 7.2 to 10 s; the sea's own period in the place of one alike."""
     place = {**PLACE, "hs": "4 m", "in_motion": True, "period_range": True}
-    request: Any = request_of(known("buoy", {**place, "period": "8 s"}))
+    request: Any = request_of(input_values("buoy", {**place, "period": "8 s"}))
     assert request.in_motion.periods == (7.2, 8.0, 8.6, 9.3, 10.0)
-    request = request_of(known("buoy", {**place, "period": "12 s"}))
+    request = request_of(input_values("buoy", {**place, "period": "12 s"}))
     assert request.in_motion.periods == (7.2, 7.9, 8.6, 9.3, 10.0, 12.0)
     listed = {**place, "period_range": None, "peak_period": ("9 s", "7 s")}
-    request = request_of(known("buoy", {k: v for k, v in listed.items() if v is not None}))
+    request = request_of(input_values("buoy", {k: v for k, v in listed.items() if v is not None}))
     assert request.in_motion.periods == (9.0, 7.0)
 
 
@@ -521,7 +521,7 @@ def made_up_answer() -> Sizing:
     with alone():
         at_rest = size_buoy(**PLACE)
     tried = LineTried("chain open-link 4D Q2", 0.03, 38.0, 660.0, 7, ())
-    case = run_in_still_water(at_rest.settled.case, request_of(known("buoy", PLACE)))  # type: ignore[arg-type]
+    case = run_in_still_water(at_rest.settled.case, request_of(input_values("buoy", PLACE)))  # type: ignore[arg-type]
     assert case is not None
     return replace(
         at_rest,

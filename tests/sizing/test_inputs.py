@@ -23,7 +23,7 @@ from catopt.model.kinds import Measured
 from catopt.sizing import Environment, SinkerGround, TankerRequest
 from catopt.sizing.environment import SERVICE_TYPES
 from catopt.sizing.file import read_file, read_sizing
-from catopt.sizing.input_values import ReadInput, ResolvedInputs, known
+from catopt.sizing.input_values import ReadInput, ResolvedInputs, input_values
 from catopt.sizing.inputs import INPUTS, Input, inputs_of, rows_of
 from catopt.sizing.kinds import from_text, kind_of, schema_of, usual
 from catopt.sizing.line_choice import PREFERENCES
@@ -125,7 +125,7 @@ def by_options(moored: Moored, given: dict[str, Any]) -> ResolvedInputs:
         name: list(value) if isinstance(value, tuple) else value if value is True else str(value)
         for name, value in given.items()
     }
-    return known(moored, typed(moored, texts), SPELLED[moored], "options")
+    return input_values(moored, typed(moored, texts), SPELLED[moored], "options")
 
 
 @pytest.mark.parametrize("name", FULL)
@@ -133,7 +133,7 @@ def test_keywords_options_and_a_file_come_to_the_same(name: str, tmp_path: Path)
     moored, given = examples(name)
     path = tmp_path / "sizing.toml"
     path.write_text(as_file(moored, given), encoding="utf-8")
-    request = request_of(known(moored, given))
+    request = request_of(input_values(moored, given))
     assert read_sizing(path) == request
     assert request_of(by_options(moored, given)) == request
 
@@ -191,7 +191,7 @@ def faults(
         given["anchor"] = "sinker"
     path = folder / "sizing.toml"
     path.write_text(as_file(moored, given), encoding="utf-8")
-    by_keyword, of_file = told(known(moored, given)), told_of_a_file(path, moored)
+    by_keyword, of_file = told(input_values(moored, given)), told_of_a_file(path, moored)
     is_option = each.name not in ("title", "source")
     return by_keyword, told(by_options(moored, given)) if is_option else {}, of_file
 
@@ -271,20 +271,22 @@ def test_the_page_shows_the_table() -> None:
 
 def test_what_is_not_evaluated_is_refused_by_its_keyword() -> None:
     given = {"buoy": "pillar 1.8 m", "dept": "12 m", "keel_depth": 1.0, "mu": 0.5}
-    assert told(known("buoy", given)) == {
+    assert told(input_values("buoy", given)) == {
         "dept": "did you mean depth?",
         "keel_depth": "leave it out, or buoy: it follows from the shape of the named buoy",
         "mu": "did you mean friction?",
     }
     by_force = {"depth": 12.0, "force": "5 kN", "reserve_buoyancy": 12e3, "wind": "20 m/s"}
-    assert told(known("buoy", by_force)) == {"wind": "leave it out, or force, which includes it"}
+    assert told(input_values("buoy", by_force)) == {
+        "wind": "leave it out, or force, which includes it"
+    }
     alone = {**BASE["tanker"], "pretension": "5 %", "buoy": None, "buoys": "mine.toml"}
-    assert told(known("tanker", alone)) == {
+    assert told(input_values("tanker", alone)) == {
         "pretension": "leave it out, or give lines with it",
         "buoys": "leave it out, or give buoy with it",
     }
     held = {**BASE["tanker"], "friction": 0.4}
-    assert told(known("tanker", held, as_option, "options")) == {
+    assert told(input_values("tanker", held, as_option, "options")) == {
         "--friction": 'leave it out, or give --anchor "sinker": it is of a sinker'
     }
 
@@ -313,7 +315,7 @@ def test_a_sizing_by_keywords_is_that_of_its_file() -> None:
 
 def test_what_is_given_comes_back_in_the_unit_that_it_has() -> None:
     given = {"depth": "40 ft", "wind": "50 knots", "current": 1.5, "hs": "1,5 m", "period": "8s"}
-    said = {each.keyword: str(each.said) for each in known("buoy", given).read}
+    said = {each.keyword: str(each.said) for each in input_values("buoy", given).read}
     shown = {name: said[name] for name in given}
     assert shown == {
         "depth": "40 ft",

@@ -11,7 +11,7 @@ from typing import Any
 
 import catopt.sizing.ship_search as searching
 from catopt.model import Line
-from catopt.sizing.input_values import known
+from catopt.sizing.input_values import input_values
 from catopt.sizing.line_choice import sold
 from catopt.sizing.requests import request_of
 
@@ -20,7 +20,7 @@ SHIP: dict[str, Any] = {"dwt": "50000 t", "depth": "20 m"}
 
 def laid(holds: Callable[[float, float], bool]) -> tuple[float, float] | None:
     """Find the line that is laid among runs that are made up: size, mm, and length, m."""
-    request = request_of(known("tanker", SHIP))
+    request = request_of(input_values("tanker", SHIP))
     found: Any = object.__new__(searching._Search)
     found.request = request
     found.lengths = [13.75 * k for k in range(5, 40)]

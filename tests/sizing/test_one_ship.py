@@ -14,7 +14,7 @@ from catopt.casefile import parse_case, write_case
 from catopt.errors import InputError
 from catopt.loads import SurfaceCurrent, Wind, parse_ship_coefficients, ship_loads
 from catopt.loads.environment import Headings, SeaState
-from catopt.sizing.input_values import known
+from catopt.sizing.input_values import input_values
 from catopt.sizing.requests import request_of
 from catopt.sizing.result import Sizing
 from catopt.sizing.ship_afloat import ship_afloat
@@ -79,7 +79,7 @@ def sized(tmp_path: Path, options: dict[str, Any]) -> tuple[TankerRequest, Sizin
         path = tmp_path / "own.toml"
         path.write_text(given["coefficients"], encoding="utf-8")
         given["coefficients"] = str(path)
-    request = request_of(known("tanker", given))
+    request = request_of(input_values("tanker", given))
     assert isinstance(request, TankerRequest)
     with alone():
         return request, size_tanker(request)

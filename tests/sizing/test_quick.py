@@ -11,7 +11,7 @@ from catopt.checks.kinds import CheckSource
 from catopt.checks.result import CheckResult
 from catopt.errors import InputError
 from catopt.sizing.in_motion import with_margin
-from catopt.sizing.input_values import known
+from catopt.sizing.input_values import input_values
 from catopt.sizing.quick import quick_runs, shared_out
 from catopt.sizing.requests import request_of
 
@@ -21,9 +21,9 @@ SHIP: dict[str, Any] = {"dwt": "50000 t", "depth": "20 m"}
 
 @pytest.mark.parametrize(("moored", "given"), [("buoy", BUOY), ("tanker", SHIP)])
 def test_motion_is_judged_fast_in_full_or_not_at_all(moored: Any, given: dict[str, Any]) -> None:
-    usual = request_of(known(moored, given, source="")).in_motion
-    full = request_of(known(moored, given | {"in_motion": True}, source="")).in_motion
-    still = request_of(known(moored, given | {"at_rest": True}, source="")).in_motion
+    usual = request_of(input_values(moored, given, source="")).in_motion
+    full = request_of(input_values(moored, given | {"in_motion": True}, source="")).in_motion
+    still = request_of(input_values(moored, given | {"at_rest": True}, source="")).in_motion
     assert usual is not None
     assert full is not None
     assert (usual.quick, full.quick, still) == (True, False, None)
@@ -31,7 +31,7 @@ def test_motion_is_judged_fast_in_full_or_not_at_all(moored: Any, given: dict[st
 
 def test_at_rest_and_in_motion_are_not_both() -> None:
     with pytest.raises(InputError, match="in_motion"):
-        request_of(known("buoy", BUOY | {"at_rest": True, "in_motion": True}, source=""))
+        request_of(input_values("buoy", BUOY | {"at_rest": True, "in_motion": True}, source=""))
 
 
 def test_a_buoy_of_which_the_force_alone_is_known_is_not_judged_in_motion() -> None:

@@ -12,7 +12,7 @@ from catopt.loads import BuoyShape
 from catopt.sizing import BuoyRequest, DragGround, GivenBuoy, SinkerGround, TankerRequest
 from catopt.sizing.buoy import growth_weight, pose_buoy
 from catopt.sizing.converge import Assumed
-from catopt.sizing.input_values import known
+from catopt.sizing.input_values import input_values
 from catopt.sizing.line_choice import sold
 from catopt.sizing.requests import request_of
 from tests.sizing.at_rest import size_buoy, size_tanker
@@ -23,13 +23,13 @@ FORCE: dict[str, Any] = {"force": "5 kN", "reserve_buoyancy": "12 kN", "depth": 
 
 
 def of_a_ship(**more: Any) -> TankerRequest:
-    request = request_of(known("tanker", SHIP | more))
+    request = request_of(input_values("tanker", SHIP | more))
     assert isinstance(request, TankerRequest)
     return request
 
 
 def of_a_buoy(given: Any = BUOY, /, **more: Any) -> BuoyRequest:
-    request = request_of(known("buoy", given | more))
+    request = request_of(input_values("buoy", given | more))
     assert isinstance(request, BuoyRequest)
     return request
 

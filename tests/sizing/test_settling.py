@@ -11,7 +11,7 @@ import pytest
 from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.errors import NotConvergedError
 from catopt.sizing import LineChoice
-from catopt.sizing.converge import Assumed, ConvergedSizing, settle
+from catopt.sizing.converge import Assumed, ConvergedSizing, converge
 
 CHOICE = LineChoice(("chain studless R3",), "break/5")
 Needs = Callable[[float], float | None]
@@ -39,7 +39,7 @@ def settled(
     def needed(_posed: object, point: Any) -> Assumed:
         return Assumed(pull=point)
 
-    return settle(pose, needed, CHOICE, start), tried
+    return converge(pose, needed, CHOICE, start), tried
 
 
 def test_a_line_that_needs_what_was_assumed_is_the_answer(monkeypatch: pytest.MonkeyPatch) -> None:

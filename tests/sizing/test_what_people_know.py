@@ -9,7 +9,7 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import InputError
 from catopt.render.files import csv_files
 from catopt.sizing.environment import mean_over
-from catopt.sizing.input_values import known
+from catopt.sizing.input_values import input_values
 from catopt.sizing.requests import request_of
 from catopt.sizing.result import Sizing
 from catopt.sizing.tanker_request import TankerRequest
@@ -19,7 +19,7 @@ SHIP = {"length": 234.0, "breadth": 31.3, "draught": 12.4, "depth": 20.0}
 
 
 def requested(**inputs: object) -> TankerRequest:
-    request = request_of(known("tanker", inputs))
+    request = request_of(input_values("tanker", inputs))
     assert isinstance(request, TankerRequest)
     return request
 

@@ -14,7 +14,7 @@ from catopt.answers.note_motion import drive_facts
 from catopt.errors import InputError
 from catopt.model import CurrentProfile, Motion, WaveState, WaveTrain
 from catopt.notes.motion import InMotion
-from catopt.render.values import shown
+from catopt.render.values import as_text
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_result import DynamicVerification
 from catopt.verify.dynamic_setup import Excitation, read_drive
@@ -99,7 +99,7 @@ def listed(drive: Excitation, language: Language = "en") -> list[tuple[str, str]
     """List what a note has as driving the line."""
     moved = InMotion(DynamicVerification(drive.case, (), True), drive, (), ())
     return [
-        (say(each.name, language), say(shown(each.value, each.quantity, unit=True), language))
+        (say(each.name, language), say(as_text(each.value, each.quantity, unit=True), language))
         for each in drive_facts(moved)
     ]
 

@@ -28,7 +28,7 @@ from catopt.words import (
     Message,
     Sentence,
     Several,
-    Told,
+    Translated,
     heading,
     say,
     term,
@@ -254,7 +254,7 @@ def test_a_term_has_one_translation() -> None:
 def test_messages_are_found_again_in_a_document() -> None:
     listed = Listed((Message("words.and"), "b", Measure("tension", 1e3).__str__()), "or")
     strong = Message("checks.MBL", strength=Measure("tension", 7.3e6), factor=3.0)
-    written = Told({"en": "yes", "vi": "có"})
+    written = Translated({"en": "yes", "vi": "có"})
     document = {
         "a": [RISES, "plain"],
         "b": {"c": Several((strong, listed)), "d": 1.0, "e": Sentence(written), "f": term("sand")},
@@ -296,7 +296,11 @@ RISES_EN = "the line rises 0.25 m above the water surface; its weight there is t
         (Sentence(RISES), f"{RISES_EN}.", f"{RISES_VI}."),
         (Sentence(RISES, capital=True), f"T{RISES_EN[1:]}.", f"D{RISES_VI[1:]}."),
         (Sentence("it holds.", capital=True), "It holds.", "It holds."),
-        (Told({"en": "no figure", "vi": "không có số liệu"}), "no figure", "không có số liệu"),
+        (
+            Translated({"en": "no figure", "vi": "không có số liệu"}),
+            "no figure",
+            "không có số liệu",
+        ),
         (term("sand"), "sand", "cát"),
         (term("a user's own"), "a user's own", "a user's own"),
         ("made fast {here}", "made fast {here}", "made fast {here}"),
@@ -350,7 +354,7 @@ def test_a_message_without_its_value_is_a_fault() -> None:
     with pytest.raises(KeyError):
         Message("catenary.no_such_text")
     with pytest.raises(KeyError):
-        Told({"en": "no figure"})
+        Translated({"en": "no figure"})
 
 
 def test_a_message_is_known_by_its_key() -> None:
