@@ -21,7 +21,7 @@ from functools import partial
 from pathlib import Path
 
 from benchmarks.common import page
-from catopt.fem import Bed, HeldBed, Leg, TrussSolution, solve_line, solve_system
+from catopt.fem import Bed, Leg, RestrainedBed, TrussSolution, solve_line, solve_system
 from catopt.fem.solve import SystemSolution
 from catopt.model import Line, Segment
 
@@ -103,12 +103,12 @@ def _mooring(rounds: int) -> list[str]:
     angles = [math.radians(azimuth) for azimuth in AZIMUTHS]
     legs = [Leg(LEG, (RADIUS * math.cos(a), RADIUS * math.sin(a), 0.0)) for a in angles]
 
-    def run(elements: int, bed: Bed | HeldBed, friction: float = 0.0) -> SystemSolution:
+    def run(elements: int, bed: Bed | RestrainedBed, friction: float = 0.0) -> SystemSolution:
         return solve_system(legs, height=HEIGHT, force=FORCE, elements=[elements // 4] * 4,
                             bed=bed, seabed_friction=friction)  # fmt: skip
 
     rows = ["| nine legs of FSO Rang Dong | bars | time | iterations |", "|---|---|---|---|"]
-    held = HeldBed(944.0, EA_multiplier=100.0)
+    held = RestrainedBed(944.0, EA_multiplier=100.0)
     for name, elements, call in (
         ("as run by the source", 20, lambda: run(20, held)),
         ("bed that only pushes", 20, lambda: run(20, Bed())),

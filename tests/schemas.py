@@ -31,7 +31,7 @@ from catopt.checks.result import CheckReport, ChecksInBrief
 from catopt.cli.new import NewFile
 from catopt.design.result import DesignResult
 from catopt.export.export_result import Exported
-from catopt.loads.holding_table import AnchorHeld, SinkerHeld
+from catopt.loads.holding_table import AnchorHolding, SinkerHolding
 from catopt.loads.weathervane import ComparedLoads
 from catopt.model.kinds import OneOf, Size
 from catopt.mooring.case import AtLevel, SystemReport
@@ -80,11 +80,11 @@ OF_A_CASE = ("check", "curve", "design", "fatigue", "size", "solution", "system"
 PUT_IN: Mapping[str, Mapping[str, tuple[Any, str]]] = {
     "catalog": {
         "anchors": (
-            tuple[AnchorHeld, ...],
+            tuple[AnchorHolding, ...],
             "Holding capacity of drag anchors; left out where none was asked for.",
         ),
         "sinkers": (
-            tuple[SinkerHeld, ...],
+            tuple[SinkerHolding, ...],
             "Holding capacity of a sinker, by soil; left out where none was asked for.",
         ),
     },

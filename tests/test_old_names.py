@@ -8,6 +8,7 @@ import pytest
 
 import catopt
 from catopt.errors import InputError
+from catopt.fem import HeldBed, RestrainedBed
 from catopt.mooring.fixed_body import held_body
 from catopt.mooring.restoring import network_curve
 from catopt.old_names import OldName, renamed
@@ -63,3 +64,9 @@ def test_the_curve_of_a_network_is_that_of_any_mooring() -> None:
             offsets=[0.0],
         )
     assert curve.offset == (0.0,)
+
+
+def test_the_bed_of_s4_is_restrained_now() -> None:
+    with pytest.warns(DeprecationWarning, match="HeldBed is RestrainedBed now"):
+        bed = HeldBed(0.1)
+    assert bed == RestrainedBed(0.1)

@@ -34,14 +34,14 @@ class Answer(Record):
     components: tuple[Component, ...] = ()
     """Components that were found; none for list."""
     anchors: Sequence[Any] = ()
-    """What drag anchors hold, `catopt.loads.sinker.AnchorHeld`."""
+    """What drag anchors hold, `catopt.loads.sinker.AnchorHolding`."""
     fittings: tuple[Fitting, ...] = ()
     uses: tuple[str, ...] = ()
     """What the fittings are for, beside each; empty where they were looked up by name."""
     missing: Sequence[str] = ()
     """Why what goes with the chain has no fitting; left out where all have one."""
     sinkers: Sequence[Any] = ()
-    """What sinkers hold, `catopt.loads.sinker.SinkerHeld`."""
+    """What sinkers hold, `catopt.loads.sinker.SinkerHolding`."""
 
     @property
     def sources(self) -> tuple[Source, ...]:

@@ -20,11 +20,14 @@ from catopt.fem.mesh import LineMesh, Water, mesh_line
 from catopt.fem.morison import MorisonSection
 from catopt.fem.newmark import LineDamping, Scheme, rayleigh_factors
 from catopt.fem.run_settings import BodyInertia, StepControls, TimeStepping
-from catopt.fem.seabed import Bed, HeldBed, Seabed
+from catopt.fem.seabed import Bed, RestrainedBed, Seabed
 from catopt.fem.series import Harmonic, Sampled, Together
 from catopt.fem.simulation import Simulation
 from catopt.fem.solve import EndForce, Leg, SystemSolution, TrussSolution, solve_line, solve_system
 from catopt.fem.static_newton import Controls
+from catopt.old_names import old_function
+
+HeldBed = old_function("HeldBed", RestrainedBed)
 
 __all__ = [
     "Bed",
@@ -38,13 +41,13 @@ __all__ = [
     "Fluid",
     "GumbelFit",
     "Harmonic",
-    "HeldBed",
     "History",
     "Leg",
     "LineDamping",
     "LineMesh",
     "LineProperties",
     "MorisonSection",
+    "RestrainedBed",
     "Sampled",
     "Scheme",
     "Seabed",

@@ -23,7 +23,7 @@ from catopt.fem.mesh import (
 from catopt.fem.morison import MorisonSection
 from catopt.fem.moving import MovingLines
 from catopt.fem.newmark import LineDamping
-from catopt.fem.seabed import HeldBed, Seabed
+from catopt.fem.seabed import RestrainedBed, Seabed
 from catopt.model import PointLoad
 from catopt.model.kinds import Findings
 from catopt.model.network import Point
@@ -46,7 +46,7 @@ _SHARES = {"consistent": (1.0 / 3.0, 1.0 / 6.0), "lumped": (0.5, 0.0)}
 _OWN_DEPTH = 0.01
 """Depth to which a line's own weight presses a bed of no given stiffness, m."""
 _HOLDING = 1e4
-"""Factor on that stiffness where a `HeldBed` holds."""
+"""Factor on that stiffness where a `RestrainedBed` holds."""
 _LEAST_RADIUS = 1e-6
 """Of a point load without volume, m."""
 _FRICTION_REACH = 0.001
@@ -69,8 +69,8 @@ class LineProperties:
     # every line; None: the water does nothing but carry
     damping: LineDamping = field(default_factory=LineDamping)  # of the line itself
     fluid: Fluid = field(default_factory=Fluid)
-    # None: no bed. A `HeldBed` is the restraint of source S4, for comparison with its figures.
-    seabed: Seabed | HeldBed | None = field(default_factory=Seabed)
+    # None: no bed. A `RestrainedBed` is that of source S4, for comparison with its figures.
+    seabed: Seabed | RestrainedBed | None = field(default_factory=Seabed)
     mass_matrix: MassMatrix = "consistent"  # how a bar's mass acts on its nodes
     of_lines: Sequence[Sequence[MorisonSection]] | None = None  # sections of each line, in the
     # place of those of all
@@ -121,7 +121,7 @@ def lay_out_moving(
         node_mass[n] += load.mass or 0.0
     bodies = np.array([_body_row(load, fluid) for load, _ in loads]).reshape(-1, 4).T
     held = np.zeros(carried.size, dtype=bool)
-    if isinstance(seabed, HeldBed):
+    if isinstance(seabed, RestrainedBed):
         EA = EA * seabed.EA_multiplier
         reach = seabed.grounded_length
         held = np.concatenate([m.arc <= reach * (1.0 + SAME_PLACE) for m in meshes])
@@ -187,7 +187,11 @@ def _body_row(load: PointLoad | Point, fluid: Fluid) -> tuple[float, float, floa
 
 
 def _bed_rows(
-    seabed: Seabed | HeldBed | None, carried: Array, pressing: Array, heavy: Array, held: Flags
+    seabed: Seabed | RestrainedBed | None,
+    carried: Array,
+    pressing: Array,
+    heavy: Array,
+    held: Flags,
 ) -> tuple[Array, Array, Array, Array, Array]:
     """Stiffness, damping, depth of full damping, friction spring and dashpot of `_OF_BED`."""
     k, none = np.zeros(carried.size), np.zeros(carried.size)
@@ -209,7 +213,7 @@ def _bed_rows(
 
 
 def _friction(
-    meshes: Sequence[LineMesh], seabed: Seabed | HeldBed | None, pressing: Array
+    meshes: Sequence[LineMesh], seabed: Seabed | RestrainedBed | None, pressing: Array
 ) -> Array:
     """Coulomb coefficient of each node, by what the line and its point load weigh there."""
     if not isinstance(seabed, Seabed):

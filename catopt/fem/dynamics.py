@@ -23,7 +23,7 @@ from catopt.fem.moving import BodyNode, MovingLines
 from catopt.fem.network import LineEnd, MeetingPoint, solve_network
 from catopt.fem.run_settings import BodyInertia, TimeStepping, record_warnings, step_warnings
 from catopt.fem.sampling import Record
-from catopt.fem.seabed import Bed, HeldBed, Seabed
+from catopt.fem.seabed import Bed, RestrainedBed, Seabed
 from catopt.fem.series import Harmonic, Sampled, Series, Together, fill_series, series_rows
 from catopt.fem.simulation import Break, Simulation
 from catopt.fem.sloped_rest import bring_to_rest_on_slope
@@ -434,11 +434,13 @@ def check_run(stepping: TimeStepping, *series: Series | None, sea: Sea | None) -
     return warnings
 
 
-def _static_bed(seabed: Seabed | HeldBed | None, lines: MovingLines) -> tuple[Bed | HeldBed, float]:
+def _static_bed(
+    seabed: Seabed | RestrainedBed | None, lines: MovingLines
+) -> tuple[Bed | RestrainedBed, float]:
     """Bed for the equilibrium from which `Simulation.settle` goes on, and its friction."""
     if seabed is None:
-        return HeldBed(0.0), 0.0
-    if isinstance(seabed, HeldBed):
+        return RestrainedBed(0.0), 0.0
+    if isinstance(seabed, RestrainedBed):
         return seabed, 0.0
     length = float(lines.length.sum())
     softest = float((np.abs(lines.weight) * lines.length).sum()) / length / _SHALLOW
@@ -448,7 +450,7 @@ def _static_bed(seabed: Seabed | HeldBed | None, lines: MovingLines) -> tuple[Be
     return Bed(stiffness, friction_law=seabed.initial_friction), seabed.friction
 
 
-def _begins_rubbed(seabed: Seabed | HeldBed | None) -> bool:
+def _begins_rubbed(seabed: Seabed | RestrainedBed | None) -> bool:
     """Whether friction that the equilibrium has is taken over into the motion."""
     return not isinstance(seabed, Seabed) or seabed.initial_friction != "none"
 
@@ -460,7 +462,7 @@ def ramped(sea: Sea | None, stepping: TimeStepping) -> Sea | None:
     return replace(sea, ramp_time=stepping.ramp_time)
 
 
-def _check_level(seabed: Seabed | HeldBed | None) -> None:
+def _check_level(seabed: Seabed | RestrainedBed | None) -> None:
     """Refuse a slope, which rises along the line: those of a body have no direction in common."""
     if isinstance(seabed, Seabed) and seabed.slope != 0.0:
         wanted = Message("refused_motion.one_line_slopes")

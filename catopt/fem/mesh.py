@@ -26,7 +26,7 @@ from catopt.fem.seabed import (
     SPRING,
     Bed,
     Ground,
-    HeldBed,
+    RestrainedBed,
 )
 from catopt.fem.static_model import Bars, Body, State
 from catopt.model import Line, PointLoad
@@ -281,7 +281,7 @@ def one_point(free: Array, force: Array, place: Array, lines: int) -> Body:
 def build(
     meshes: Sequence[LineMesh],
     body: Body,
-    bed: Bed | HeldBed,
+    bed: Bed | RestrainedBed,
     friction: float,
     water: Water,
     carries_compression: bool,
@@ -289,7 +289,7 @@ def build(
     """Lay out all lines, one after the other; they meet in the points of `body`."""
     start = first_bars(meshes)
     length = np.concatenate([mesh.length for mesh in meshes])
-    multiplier = bed.EA_multiplier if isinstance(bed, HeldBed) else 1.0
+    multiplier = bed.EA_multiplier if isinstance(bed, RestrainedBed) else 1.0
     with np.errstate(divide="ignore"):
         compliance = 1.0 / (multiplier * by_bar(meshes, "EA"))
     submerged = length * by_bar(meshes, "submerged_weight")
@@ -357,7 +357,7 @@ def _drag(meshes: Sequence[LineMesh], current: Current | None) -> tuple[Array, A
     return across[owner], along[owner]
 
 
-def _contact(mesh: LineMesh, bed: Bed | HeldBed) -> Codes:
+def _contact(mesh: LineMesh, bed: Bed | RestrainedBed) -> Codes:
     if isinstance(bed, Bed):
         return np.full(mesh.elements + 1, FREE, dtype=np.int64)
     is_held = mesh.arc <= bed.grounded_length + SAME_PLACE * mesh.line.length
@@ -373,11 +373,13 @@ def node_friction(mesh: LineMesh, friction: float) -> Array:
     return rough
 
 
-def _ground(meshes: Sequence[LineMesh], bars: Bars, bed: Bed | HeldBed, friction: float) -> Ground:
+def _ground(
+    meshes: Sequence[LineMesh], bars: Bars, bed: Bed | RestrainedBed, friction: float
+) -> Ground:
     carried = to_nodes(bars.length, bars.start)
     zero, none = np.zeros(carried.size), np.zeros((carried.size, 2))
     foot = np.full((carried.size, 2), np.nan)
-    if isinstance(bed, HeldBed):
+    if isinstance(bed, RestrainedBed):
         held = np.full(carried.size, np.inf)
         return Ground(held, zero, none, 0.0, NO_FRICTION, zero, foot)
     rough = np.concatenate([node_friction(mesh, friction) for mesh in meshes])

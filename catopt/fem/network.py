@@ -9,7 +9,7 @@ import numpy as np
 
 from catopt.arrays import Array, Flags
 from catopt.fem.mesh import LineMesh, Problem, Water, build, end_nodes, straight
-from catopt.fem.seabed import Bed, HeldBed
+from catopt.fem.seabed import Bed, RestrainedBed
 from catopt.fem.solve import TrussSolution, read_line
 from catopt.fem.static_model import Body
 from catopt.fem.static_newton import Controls, Rest, bring_to_rest, follow
@@ -57,7 +57,7 @@ def solve_network(
     ends: Sequence[tuple[LineEnd, LineEnd]],
     points: Sequence[MeetingPoint],
     *,
-    bed: Bed | HeldBed | None = None,
+    bed: Bed | RestrainedBed | None = None,
     seabed_friction: float = 0.0,
     controls: Controls | None = None,
 ) -> NetworkSolution:

@@ -56,7 +56,7 @@ class Bed:
 
 
 @dataclass(frozen=True)
-class HeldBed:
+class RestrainedBed:
     """The restraint of source S4, for reproducing its figures only: not how a bed works.
 
     Nodes near the anchor are held at height 0 both ways, so that the bed also pulls; there is no
@@ -67,7 +67,7 @@ class HeldBed:
     EA_multiplier: float = 1.0  # on every segment's EA
 
     def __post_init__(self) -> None:
-        found = Findings("HeldBed")
+        found = Findings("RestrainedBed")
         found.number("grounded_length", self.grounded_length, "m", at_least=0.0)
         found.number("EA_multiplier", self.EA_multiplier, "", above=0.0)
         found.raise_if_any()

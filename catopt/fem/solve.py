@@ -20,7 +20,7 @@ from catopt.fem.mesh import (
     one_point,
     straight,
 )
-from catopt.fem.seabed import ABSENT, HELD, ON_BED, Bed, HeldBed, friction_sense
+from catopt.fem.seabed import ABSENT, HELD, ON_BED, Bed, RestrainedBed, friction_sense
 from catopt.fem.sloped_rest import hanging_part
 from catopt.fem.static_newton import Controls, Rest, bring_to_rest, follow
 from catopt.model import Line
@@ -55,7 +55,7 @@ class TrussSolution:
     lying: Array  # (elements,): part of each bar that lies on the bed; where one touches down
     # follows from the reaction of its node
     bed_reaction: Array  # (elements + 1,): upward force of the bed on each node, N; below 0 only
-    # where a `HeldBed` holds a node down
+    # where a `RestrainedBed` holds a node down
     penetration: float  # largest depth of a node below the bed, m
     residual: float  # largest force left over at an inner node of all lines, over the largest
     # tension
@@ -283,7 +283,7 @@ def solve_line(
     anchor_height: float = 0.0,
     elements: int | Sequence[int] = 100,
     mesh: LineMesh | None = None,
-    bed: Bed | HeldBed | None = None,
+    bed: Bed | RestrainedBed | None = None,
     water: Water | None = None,
     carries_compression: bool = False,
     controls: Controls | None = None,
@@ -302,7 +302,7 @@ def solve_line(
         Coulomb coefficient.
     elements, mesh
         Bars, as for `mesh_line`; or the line cut into them.
-    bed : Bed or HeldBed, optional
+    bed : Bed or RestrainedBed, optional
         The seabed; a rigid one that only pushes by default.
     water : Water, optional
         Surface and current; all submerged in still water by default.
@@ -352,7 +352,7 @@ def solve_system(
     seabed_friction: float = 0.0,
     elements: int | Sequence[int] = 100,
     meshes: Sequence[LineMesh] | None = None,
-    bed: Bed | HeldBed | None = None,
+    bed: Bed | RestrainedBed | None = None,
     water: Water | None = None,
     carries_compression: bool = False,
     controls: Controls | None = None,

@@ -31,7 +31,7 @@ from catopt.words import Message
 Adhered = Annotated[float, Measured(Dimension.PRESSURE, above=0.0)]
 
 
-class HeldBy(NamedTuple):
+class HoldingByData(NamedTuple):
     """What a data set has of an anchor."""
 
     data: str
@@ -41,7 +41,7 @@ class HeldBy(NamedTuple):
 
 
 @dataclass(frozen=True)
-class AnchorHeld(Record):
+class AnchorHolding(Record):
     """What a drag anchor of a mass holds in a soil, pulled horizontally."""
 
     DOCUMENT = (
@@ -59,7 +59,7 @@ class AnchorHeld(Record):
     """Ultimate, of a horizontal pull, by the lowest data set."""
     data: str
     """Data set."""
-    others: tuple[HeldBy, ...]
+    others: tuple[HoldingByData, ...]
     """What the other data sets have."""
     safety_factor: Positive
     """On the ultimate holding, of UFC table 3-7."""
@@ -87,7 +87,7 @@ class AnchorHeld(Record):
 
 
 @dataclass(frozen=True)
-class SinkerHeld(Record):
+class SinkerHolding(Record):
     """What a sinker of a mass holds on a soil before it slides."""
 
     DOCUMENT = (
@@ -139,7 +139,7 @@ def anchor_holdings(
     mass: float | None = None,
     *,
     allow_recalled: bool = False,
-) -> tuple[AnchorHeld, ...]:
+) -> tuple[AnchorHolding, ...]:
     """Tabulate what kinds of anchor hold, in one soil or in all, of one mass or of all sold.
 
     InputError: a soil without figures, or a mass that is not sold.
@@ -152,17 +152,17 @@ def anchor_holdings(
     )
 
 
-def _held(kind: AnchorType, soil: str, mass: float, *, allow_recalled: bool) -> AnchorHeld:
+def _held(kind: AnchorType, soil: str, mass: float, *, allow_recalled: bool) -> AnchorHolding:
     capacity = holding_capacity(kind.name, soil, mass, allow_recalled=allow_recalled)
     curve = capacity.curve
     own = next(e for e in kind.holdings if (e.soil, e.data) == (curve.soil, curve.data))
-    return AnchorHeld(
+    return AnchorHolding(
         anchor=kind.name,
         soil=soil,
         mass=mass,
         holding=capacity.capacity,
         data=curve.data,
-        others=tuple(HeldBy(*each) for each in capacity.others),
+        others=tuple(HoldingByData(*each) for each in capacity.others),
         safety_factor=default_factor(kind.name),
         price=kind.price_per_mass * mass,
         sold=kind.range,
@@ -179,7 +179,7 @@ def sinker_holdings(
     *,
     base_area: float | None = None,
     water_density: float = SEA_WATER_DENSITY,
-) -> tuple[SinkerHeld, ...]:
+) -> tuple[SinkerHolding, ...]:
     """Tabulate what a sinker holds on every soil that has a figure.
 
     The mass is in air, kg; the area of the base, m2, counts on clay alone, and is that of a cast
@@ -203,5 +203,5 @@ def sinker_holdings(
             source = source if holding <= by_base else bond.source
             holding = min(holding, by_base)
         origin = source.text, source.confidence
-        rows.append(SinkerHeld(material, soil, mass, weight, mu, adhesion, holding, *origin))
+        rows.append(SinkerHolding(material, soil, mass, weight, mu, adhesion, holding, *origin))
     return tuple(rows)

@@ -26,7 +26,7 @@ from catopt.reproduce.items import (
 from catopt.words import Message
 
 if TYPE_CHECKING:
-    from catopt.fem import HeldBed, TrussSolution
+    from catopt.fem import RestrainedBed, TrussSolution
     from catopt.fem import SystemSolution as TrussSystem
     from catopt.verify.comparison import Compared
     from catopt.verify.result import StaticComparison
@@ -171,11 +171,11 @@ def as_run(
     )
 
 
-def restrained_bed(source: Published, *, stiffened: bool = True) -> HeldBed:
+def restrained_bed(source: Published, *, stiffened: bool = True) -> RestrainedBed:
     """Restraint of the source's run: nodes up to the second joint held, EA a hundredfold or not."""
-    from catopt.fem import HeldBed
+    from catopt.fem import RestrainedBed
 
-    return HeldBed(
+    return RestrainedBed(
         grounded_length=source.inputs["grounded_length_m"],
         EA_multiplier=source.inputs["EA_multiplier"] if stiffened else 1.0,
     )

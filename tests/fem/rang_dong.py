@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from catopt.constants import STANDARD_GRAVITY
-from catopt.fem import HeldBed, Leg, SystemSolution, solve_system
+from catopt.fem import Leg, RestrainedBed, SystemSolution, solve_system
 from catopt.model import Line, Segment
 
 ANCHOR_RADIUS = 1056.0
@@ -14,7 +14,7 @@ FORCE = (-4281e3, 0.0)
 AZIMUTHS = (-3.0, 0.0, 3.0, 117.0, 120.0, 123.0, 237.0, 240.0, 243.0)
 """Degrees; the printed ones are 5 apart, the printed node coordinates give 3."""
 
-AS_RUN = HeldBed(grounded_length=750.0 + 194.0, EA_multiplier=100.0)
+AS_RUN = RestrainedBed(grounded_length=750.0 + 194.0, EA_multiplier=100.0)
 """Nodes from the second joint to the anchor held at z = 0 both ways, EA a hundredfold."""
 
 

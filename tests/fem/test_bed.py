@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import catopt
-from catopt.fem import Bed, HeldBed, TrussSolution, mesh_line, solve_line
+from catopt.fem import Bed, RestrainedBed, TrussSolution, mesh_line, solve_line
 from catopt.model import Line, PointLoad, Segment
 
 W, EA = 1000.0, 5e8
@@ -164,7 +164,7 @@ def test_history_pull_and_let_go_leaves_tension_locked_in() -> None:
 def test_held_bed_holds_both_ways() -> None:
     """By hand: held nodes keep z = 0 and the hanging part is that of a line anchored there."""
     held = solve_line(
-        CHAIN, height=100.0, horizontal_force=6e5, elements=60, bed=HeldBed(400.0, 10.0)
+        CHAIN, height=100.0, horizontal_force=6e5, elements=60, bed=RestrainedBed(400.0, 10.0)
     )
     assert np.abs(held.nodes[:41, 2]).max() == 0.0
     assert held.bed_reaction[40] < 0.0

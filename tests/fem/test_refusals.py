@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from catopt.errors import InputError, NoEquilibriumError, NotConvergedError
-from catopt.fem import Bed, Controls, HeldBed, Leg, solve_line, solve_system
+from catopt.fem import Bed, Controls, Leg, RestrainedBed, solve_line, solve_system
 from catopt.model import Line, Segment
 
 CHAIN = Line([Segment(100.0, 1000.0)])
@@ -66,8 +66,8 @@ def test_every_problem_is_told_at_once() -> None:
     for wrong in (
         lambda: Bed(normal_stiffness=0.0),
         lambda: Bed(friction_law="sticky"),  # type: ignore[arg-type]
-        lambda: HeldBed(-1.0),
-        lambda: HeldBed(10.0, EA_multiplier=0.0),
+        lambda: RestrainedBed(-1.0),
+        lambda: RestrainedBed(10.0, EA_multiplier=0.0),
     ):
         with pytest.raises(InputError):
             wrong()
