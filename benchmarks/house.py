@@ -52,8 +52,8 @@ SOLVERS = {
         "mooring/descent.py:newton",
         "mooring/joints.py:rest",
     ),
-    "heading at rest, off a ridge": (
-        "mooring/rest.py:_nudged",
+    "heading at rest": (
+        "mooring/heading.py:settle",
         "mooring/static_equilibrium.py:static_equilibrium",
         "mooring/joints.py:nudge",
     ),

@@ -39,7 +39,7 @@ from catopt.fem.linear_motion import linear_motion
 from catopt.fem.mesh import mesh_line
 from catopt.fem.series import series_rows, series_values
 from catopt.floater import alone, two_scales  # noqa: F401 - before their `compiled` is watched
-from catopt.mooring import joints
+from catopt.mooring import under_loads
 from catopt.mooring.batch import solve_system_many
 from catopt.mooring.fixed_body import at_rest
 from catopt.waves import PowerLawCurrent, Sea, TableCurrent, jonswap, random_waves
@@ -100,7 +100,7 @@ def systems() -> None:
 def networks() -> None:
     """Joints and bodies: bed, friction, a body that turns; as arrays, as compiled code has them."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(joints, "is_compiled", lambda _: True)
+        patch.setattr(under_loads, "is_compiled", lambda _: True)
         for seed in (5, 16, 17):
             at_rest(drawn(seed))
         at_rest(read_case(PACKAGE.parent / "tests/answers/cases/points-and-body.toml"))
@@ -187,7 +187,7 @@ JOBS: dict[Callable[[], None], set[str]] = {
     waves: {"fill_elevation", "fill_kinematics", "fill_wave_numbers"},
     fronts: {"_best_of_three", "_volume"},
     lines: {"fill"},
-    systems: {"static_equilibria"},
+    systems: {"rest_under_each"},
     networks: {"rest_under_each"},
     designs: {"assess"},
     moorings: {"assess_moorings"},

@@ -10,7 +10,7 @@ import pytest
 
 from catopt import progress
 from catopt.__main__ import main
-from catopt.mooring import static_equilibrium
+from catopt.mooring import zero_load
 from catopt.progress import expect, in_words, paced, when_long
 from catopt.words import Message, say
 
@@ -100,7 +100,7 @@ def test_commands_announce_their_searches(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """As on a machine ten thousand times slower: its clock runs so."""
-    for part in (progress, static_equilibrium):
+    for part in (progress, zero_load):
         monkeypatch.setattr(part, "perf_counter", lambda: 1e4 * time.perf_counter())
     path = tmp_path / "case.toml"
     path.write_text(CASE)

@@ -8,10 +8,10 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from catopt.catenary.equilibrium import given_force, hang_slack
-from catopt.catenary.pieces import LineProblem, Pieces, total_length
+from catopt.catenary.equilibrium import given_force
+from catopt.catenary.pieces import LineProblem, Pieces
 from catopt.catenary.span_or_tension import given_span
-from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT, failed
+from catopt.catenary.state import CONVERGED, NOT_CONVERGED
 from catopt.checks.kinds import ROUNDING, ratio_exceedance
 from catopt.compiled import inlined
 from catopt.design.assess import (
@@ -38,11 +38,11 @@ from catopt.design.assess import (
     tension_at_anchor,
     weigh,
 )
-from catopt.design.tables import BodyRoom, MooringTables, Room, Tables
+from catopt.design.tables import MooringTables, Room, Tables
 from catopt.model.anchor import sinker_needed
-from catopt.mooring.balance import Arrangement, Lines, pull_at
-from catopt.mooring.descent import BodyLoad, BodyProblem, Freedom, Rest, freedom_of
-from catopt.mooring.static_equilibrium import static_equilibrium
+from catopt.mooring.heading import settle
+from catopt.mooring.net import GUESS, SPAN, STATE, Known, Net, hang, state_of
+from catopt.mooring.rest import remember
 
 
 class Search(NamedTuple):
@@ -50,6 +50,7 @@ class Search(NamedTuple):
 
     is_bounded: bool  # whether designs are excluded by bounds
     stops_early: bool  # whether a design is left at its first failed check
+    least: Any  # shape (wanted objectives,): work space for what a design is worth at least
     best: Any  # shape (n, wanted objectives): what designs known to be feasible are worth
     columns: Any  # shape (wanted objectives,): which objectives are required
 
@@ -60,7 +61,9 @@ def assess_moorings(
     line: Tables,
     search: Search,
     room: Room,
-    body: BodyRoom,
+    net: Net,
+    free: Known,
+    loaded: Known,
     first: int,
     end: int,
     objectives: Any,
@@ -70,11 +73,12 @@ def assess_moorings(
 ) -> None:
     """Solve and check moorings number `first` to `end` (not included), their layout the last genes.
 
-    Written to, as by `catopt.design.assess.assess`: `objectives`, with mass and cost of all lines,
-    the largest offset of the body from its zero-load position with all lines and the largest load
-    of an anchor; `exceedance`, of
-    all lines in all states; `excluded`, shape (n,): the bound that excludes a design, NONE where it
-    was solved; `unsolved`, raised by the number of states that did not converge.
+    `net`, `free` and `loaded` are work space: the lines, and what is known of them without a load
+    and under one. Written to, as by `catopt.design.assess.assess`: `objectives`, with mass and cost
+    of all lines, the largest offset of the body from its zero-load position with all lines and the
+    largest load of an anchor; `exceedance`, of all lines in all states; `excluded`, shape (n,): the
+    bound that excludes a design, NONE where it was solved; `unsolved`, raised by the number of
+    states that did not converge.
     """
     for i in range(first, end):
         objectives[i, :] = math.nan
@@ -111,7 +115,9 @@ def assess_moorings(
                 line,
                 search,
                 room,
-                body,
+                net,
+                free,
+                loaded,
                 objectives[i],
             )
             excluded[i] = found.excluded
@@ -156,57 +162,47 @@ def _in_all_states(
     line: Tables,
     search: Search,
     room: Room,
-    body: BodyRoom,
+    net: Net,
+    free: Known,
+    loaded: Known,
     objectives: Any,
 ) -> _Found:
     """Solve and check the mooring of the line in the work space; with all lines first."""
     missing, height = -1, tables.height[tables.first[layout]]
     problem = LineProblem(pieces, line.anchor_height, height, line.friction)
-    unloaded = _unloaded(layout, radius, missing, problem, tables, line, body)
-    origin = unloaded.rest
-    if search.is_bounded and origin.status == CONVERGED:
-        far = least_offset(forces, tables, problem, unloaded.known.span.max())
-        if _is_needless(far, 0.0, line, search, body.least, objectives):
+    status = _unloaded(layout, radius, missing, problem, tables, line, net, free)
+    x, y = free.q[0], free.q[1]
+    if search.is_bounded and status == CONVERGED:
+        far = least_offset(forces, tables, problem, _longest_span(net, free))
+        if _is_needless(far, 0.0, line, search, objectives):
             return _Found(LEAST_OFFSET, -math.inf, math.nan, 0.0, 0)
     worst, largest, anchor_load = -math.inf, 0.0, 0.0
     for state in range(tables.first[layout], tables.first[layout + 1]):
         if tables.missing[state] != missing or tables.height[state] != height:
             missing, height = tables.missing[state], tables.height[state]
             problem = LineProblem(pieces, line.anchor_height, height, line.friction)
-            unloaded = _unloaded(layout, radius, missing, problem, tables, line, body)
+            status = _unloaded(layout, radius, missing, problem, tables, line, net, free)
             if missing < 0:
-                origin = unloaded.rest
+                x, y = free.q[0], free.q[1]
         damage = 1 if missing >= 0 else 0
-        end = _under_load(unloaded, tables, state)
-        status, exceedance, pull = end.status, NO_EQUILIBRIUM, 0.0
-        if status == CONVERGED:
+        end = _under_load(status, tables, state, net, free, loaded)
+        exceedance, pull = NO_EQUILIBRIUM, 0.0
+        if end == CONVERGED:
             reserve = tables.reserve[damage]
-            status, exceedance, pull = _of_lines(
-                unloaded.lines, reserve, problem, segments, damage, line, room
+            end, exceedance, pull = _of_lines(
+                net, loaded, reserve, problem, segments, damage, line, room
             )
         worst = max(worst, exceedance)
-        if status != CONVERGED:
-            return _Found(NONE, worst, math.nan, 0.0, 1 if status == NOT_CONVERGED else 0)
+        if end != CONVERGED:
+            return _Found(NONE, worst, math.nan, 0.0, 1 if end == NOT_CONVERGED else 0)
         if search.stops_early and worst > ROUNDING:
             return _Found(NONE, worst, math.nan, 0.0, 0)
-        x, y = end.x - origin.x, end.y - origin.y
-        largest = max(largest, math.sqrt(x * x + y * y))
+        off_x, off_y = loaded.q[0] - x, loaded.q[1] - y
+        largest = max(largest, math.sqrt(off_x * off_x + off_y * off_y))
         anchor_load = max(anchor_load, pull)
-        if search.is_bounded and _is_needless(
-            largest, anchor_load, line, search, body.least, objectives
-        ):
+        if search.is_bounded and _is_needless(largest, anchor_load, line, search, objectives):
             return _Found(OFFSET_SO_FAR, worst, math.nan, 0.0, 0)
     return _Found(NONE, worst, largest, anchor_load, 0)
-
-
-class _Unloaded(NamedTuple):
-    """The body with some lines, without a load; `lines` is work space for those under one."""
-
-    arrangement: Arrangement
-    known: Lines
-    lines: Lines
-    freedom: Freedom
-    rest: Rest
 
 
 def _unloaded(
@@ -216,38 +212,51 @@ def _unloaded(
     problem: LineProblem,
     tables: MooringTables,
     line: Tables,
-    body: BodyRoom,
-) -> _Unloaded:
-    """Find the zero-load position, from the origin with yaw 0."""
-    arrangement = _around(body.arrangement, layout, radius, missing, problem, tables, line)
-    count = len(arrangement.anchor_x)
-    known, lines = _first(body.rest, count), _first(body.under_load, count)
-    for k in range(count):
-        known.H[k] = known.V[k] = known.span[k] = known.H_S[k] = known.V_S[k] = math.nan
-    freedom = freedom_of(arrangement, tables.turns, tables.fairlead_radius)
-    pull = pull_at(0.0, 0.0, 0.0, arrangement, known, True)
-    nothing = BodyProblem(BodyLoad(0.0, 0.0, 0.0), freedom, arrangement, known)
-    rest = static_equilibrium(0.0, 0.0, 0.0, pull, nothing)
-    return _Unloaded(arrangement, known, lines, freedom, rest)
+    net: Net,
+    free: Known,
+) -> int:
+    """Find the zero-load position, from the origin with yaw 0; status."""
+    _around(net, layout, radius, missing, problem, tables, line)
+    for i in range(3):
+        net.pull[i] = free.q[i] = 0.0
+    for i in range(GUESS * net.used[0]):
+        free.guess[i] = math.nan
+    found = settle(net, free, hang(net, free, False))
+    remember(net, free)
+    return found.status
 
 
-def _under_load(unloaded: _Unloaded, tables: MooringTables, state: int) -> Rest:
-    """Bring the body to rest under the force of a state; its lines are written to."""
-    rest = unloaded.rest
-    if rest.status != CONVERGED:
-        return rest
-    for k in range(len(unloaded.lines)):
-        unloaded.lines[k][:] = unloaded.known[k]
+def _under_load(
+    status: int, tables: MooringTables, state: int, net: Net, free: Known, loaded: Known
+) -> int:
+    """Bring the body to rest under the force of a state; its lines are written to. Status.
+
+    That without a load, where it has none.
+    """
+    if status != CONVERGED:
+        return status
+    for i in range(3):
+        loaded.q[i] = free.q[i]
+    loaded.place[:], loaded.lever[:] = free.place, free.lever
+    loaded.state[:], loaded.guess[:], loaded.force[:] = free.state, free.guess, free.force
     force, direction = tables.force[state], tables.direction[state]
-    x, y = force * math.cos(direction), force * math.sin(direction)
-    load = BodyLoad(x, y, tables.moment)
-    problem = BodyProblem(load, unloaded.freedom, unloaded.arrangement, unloaded.lines)
-    return static_equilibrium(rest.x, rest.y, rest.yaw, rest.pull, problem)
+    net.pull[0], net.pull[1] = force * math.cos(direction), force * math.sin(direction)
+    net.pull[2] = tables.moment / net.scale[2]
+    return settle(net, loaded, (CONVERGED, -1)).status
+
+
+@inlined
+def _longest_span(net: Net, known: Known) -> float:
+    longest = 0.0
+    for k in range(net.used[0]):
+        longest = max(longest, known.state[STATE * k + SPAN])
+    return longest
 
 
 @inlined
 def _of_lines(
-    lines: Lines,
+    net: Net,
+    known: Known,
     reserve: float,
     problem: LineProblem,
     segments: int,
@@ -260,11 +269,11 @@ def _of_lines(
     With the largest tension at an anchor, N.
     """
     worst, pull_down, anchor_load = -math.inf, 0.0, 0.0
-    for k in range(len(lines.H)):
-        span = max(lines.span[k], 1e-9)
-        H = lines.H[k] if lines.H[k] > 0.0 else math.nan
-        V = lines.V[k] if lines.H[k] > 0.0 else math.nan
-        state = given_span(span, problem, H, V)
+    for k in range(net.used[0]):
+        there = state_of(k, known)
+        H = there.H if there.H > 0.0 else math.nan
+        V = there.V if there.H > 0.0 else math.nan
+        state = given_span(max(there.span, 1e-9), problem, H, V)
         if state.status != CONVERGED:
             return NOT_CONVERGED, worst, anchor_load
         pull_down += state.V
@@ -282,9 +291,10 @@ def _of_lines(
 
 @inlined
 def _is_needless(
-    offset: float, anchor_load: float, line: Tables, search: Search, least: Any, objectives: Any
+    offset: float, anchor_load: float, line: Tables, search: Search, objectives: Any
 ) -> bool:
     """Whether a design of at least some offset and load of an anchor is beaten by a known one."""
+    least = search.least
     for column in range(len(search.columns)):
         least[column] = objectives[search.columns[column]]
         if search.columns[column] == OFFSET:
@@ -295,75 +305,33 @@ def _is_needless(
 
 
 def _around(
-    room: Arrangement,
+    net: Net,
     layout: int,
     radius: float,
     missing: int,
     problem: LineProblem,
     tables: MooringTables,
     line: Tables,
-) -> Arrangement:
+) -> None:
     """Put equal lines around the body, one of them missing."""
-    pieces = problem.pieces
-    slack = failed(TOO_SHORT)
-    if problem.fairlead_height + line.anchor_height < total_length(pieces):
-        slack = hang_slack(problem)
-    has_slack = slack.status == CONVERGED
+    pieces, left = problem.pieces, 0
     each = len(pieces.length)
-    left = 0
-    room.first[0] = 0
     for k in range(tables.lines[layout]):
         if k == missing:
             continue
         x, y = math.cos(tables.azimuth[layout, k]), math.sin(tables.azimuth[layout, k])
-        room.anchor_x[left], room.anchor_y[left] = radius * x, radius * y
-        room.arm_x[left] = tables.fairlead_radius * x
-        room.arm_y[left] = tables.fairlead_radius * y
-        room.anchor_height[left] = line.anchor_height
-        room.fairlead_height[left] = problem.fairlead_height
-        room.slack_span[left] = slack.span if has_slack else -1.0
-        room.slack_V[left] = slack.V if has_slack else 0.0
-        room.slack_V_anchor[left] = slack.V_anchor if has_slack else 0.0
-        room.slack_grounded[left] = slack.grounded if has_slack else 0.0
+        net.base[6 * left], net.base[6 * left + 1] = radius * x, radius * y
+        net.base[6 * left + 2] = line.anchor_height
+        net.base[6 * left + 5] = problem.fairlead_height
+        net.arm[4 * left + 2] = tables.fairlead_radius * x
+        net.arm[4 * left + 3] = tables.fairlead_radius * y
         start = left * each
         for piece in range(each):
-            room.length[start + piece] = pieces.length[piece]
-            room.weight[start + piece] = pieces.weight[piece]
-            room.compliance[start + piece] = pieces.compliance[piece]
+            net.length[start + piece] = pieces.length[piece]
+            net.weight[start + piece] = pieces.weight[piece]
+            net.compliance[start + piece] = pieces.compliance[piece]
         for joint in range(2 * each + 2):
-            room.load[2 * (start + left) + joint] = pieces.load[joint]
+            net.load[2 * (start + left) + joint] = pieces.load[joint]
         left += 1
-        room.first[left] = left * each
-    return Arrangement(
-        room.anchor_x[:left],
-        room.anchor_y[:left],
-        room.anchor_height[:left],
-        room.arm_x[:left],
-        room.arm_y[:left],
-        room.fairlead_height[:left],
-        line.friction,
-        room.first[: left + 1],
-        room.length[: left * each],
-        room.weight[: left * each],
-        room.compliance[: left * each],
-        room.load[: 2 * left * (each + 1)],
-        room.slack_span[:left],
-        room.slack_V[:left],
-        room.slack_V_anchor[:left],
-        room.slack_grounded[:left],
-    )
-
-
-@inlined
-def _first(lines: Lines, count: int) -> Lines:
-    """Return the room of the first lines."""
-    return Lines(
-        lines.H[:count],
-        lines.V[:count],
-        lines.span[:count],
-        lines.grounded[:count],
-        lines.H_anchor[:count],
-        lines.V_anchor[:count],
-        lines.H_S[:count],
-        lines.V_S[:count],
-    )
+        net.piece[left] = left * each
+    net.used[0] = left

@@ -124,12 +124,14 @@ class MooringProblem(DesignProblem):
         """Return the loop over so many designs, and what makes its tables and a thread's room."""
         tables, columns = self.mooring, np.array(self.columns, dtype=np.int64)
         known = np.empty((0, self.objectives)) if best is None else best
-        search = Search(best is not None, stops_early, np.ascontiguousarray(known), columns)
+        known = np.ascontiguousarray(known)
         states = len(tables.missing) / len(tables.lines)
         loop = compiled(assess_moorings, _A_LINE * float(tables.lines.mean()) * states * designs)
 
         def given() -> tuple[Any, ...]:
-            rooms = room(self.tables), body_room(tables, self.tables, len(columns))
+            least = np.empty(len(columns))
+            search = Search(best is not None, stops_early, least, known, columns)
+            rooms = room(self.tables), *body_room(tables, self.tables)
             return tables, self.tables, search, *rooms
 
         return loop, given

@@ -16,7 +16,7 @@ from catopt.largest import first_largest
 from catopt.model import DesignLoad, System
 from catopt.model.kinds import Angle, Length, Strength
 from catopt.mooring.solution import SystemSolution, solution_at
-from catopt.mooring.static_equilibrium import ZeroLoadPosition, zero_load_position
+from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
 from catopt.records import From
 from catopt.words import Message
 

@@ -18,7 +18,8 @@ from catopt.design.space import DesignSpace
 from catopt.model import Case, DesignLoad, LoadCase, SinkerChoice
 from catopt.model.line import weight_in_water
 from catopt.model.wear import left_of_section
-from catopt.mooring.balance import Arrangement, Lines
+from catopt.mooring.net import FREE, PINNED, TURNS, Known, Net, room_for
+from catopt.mooring.under_loads import as_arrays
 
 RESOLUTION = 2.0**-40
 """Part of the largest value of an objective that two designs must differ by to differ at all.
@@ -138,15 +139,6 @@ class MooringTables(NamedTuple):
     is_monotone: bool
 
 
-class BodyRoom(NamedTuple):
-    """Work space for one mooring, of the largest number of lines and pieces."""
-
-    arrangement: Arrangement
-    rest: Lines  # what is known of the lines without a load
-    under_load: Lines
-    least: Any  # shape (wanted objectives,): what a design is worth at least
-
-
 def _whole(size: int) -> NDArray[np.int64]:
     return np.empty(size, dtype=np.int64)
 
@@ -174,22 +166,37 @@ def room(tables: Tables) -> Room:
     )
 
 
-def body_room(tables: MooringTables, line: Tables, objectives: int) -> BodyRoom:
-    """Make work space for a mooring."""
+def body_room(tables: MooringTables, line: Tables) -> tuple[Net, Known, Known]:
+    """Make work space for a mooring of the largest number of lines and pieces.
+
+    Its lines as the kernel takes them, as `catopt.mooring.zero_load` lays them out; what is known
+    of them without a load, and under one.
+    """
     lines = int(tables.lines.max())
     pieces = lines * (len(line.segment_optional) + len(line.clump_optional))
-    own = {
-        "friction": line.friction,
-        "first": np.zeros(lines + 1, dtype=np.int64),
-        "length": np.zeros(pieces),
-        "weight": np.zeros(pieces),
-        "compliance": np.zeros(pieces),
-        "load": np.zeros(2 * pieces + 2 * lines),
-    }
-    by_line = {name: np.zeros(lines) for name in Arrangement._fields if name not in own}
-    rest, under_load = (Lines(*(np.zeros(lines) for _ in Lines._fields)) for _ in range(2))
-    arrangement = Arrangement(**by_line, **own)  # type: ignore[arg-type]
-    return BodyRoom(arrangement, rest, under_load, np.empty(objectives))
+    net = Net(
+        used=[lines],
+        first=list(range(0, 2 * lines, 2)),
+        second=list(range(1, 2 * lines, 2)),
+        piece=[0] * (lines + 1),
+        length=[0.0] * pieces,
+        weight=[0.0] * pieces,
+        compliance=[0.0] * pieces,
+        load=[0.0] * (2 * pieces + 2 * lines),
+        friction=[line.friction] * lines,
+        base=[0.0] * (6 * lines),
+        freedom=[-1, -1, -1, -1, 0, 1, -1, 2] * lines,
+        arm=[0.0] * (4 * lines),
+        pull=[0.0] * 3,
+        scale=[1.0, 1.0, tables.fairlead_radius or 1.0],
+        kind=[FREE, FREE, TURNS if tables.turns else PINNED],
+        group=[0, 3],
+        surface=[math.inf] * 3,
+        buoyancy=[0.0] * 3,
+        height=[0.0] * 3,
+    )
+    known = room_for(net)
+    return as_arrays(net), as_arrays(known), as_arrays(known)
 
 
 def tables_of(

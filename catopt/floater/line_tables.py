@@ -15,8 +15,8 @@ from catopt.catenary.equilibrium import given_force
 from catopt.catenary.pieces import LineProblem, Pieces, total_length, total_weight
 from catopt.catenary.state import CONVERGED
 from catopt.compiled import compiled
-from catopt.mooring.balance import Arrangement
-from catopt.mooring.batch import as_arrays
+from catopt.mooring.net import Net, problem_at
+from catopt.mooring.under_loads import as_arrays
 
 NODES: Final = 300
 """Of the horizontal force, after 0, each 1.05 times the one before."""
@@ -129,26 +129,20 @@ def fill_table(problem: LineProblem, force: Any, span: Any, fairlead: Any, ancho
     return len(force)
 
 
-def tables_of(arrangement: Arrangement, way: float) -> Any:
+def tables_of(net: Net, way: float) -> Any:
     """Tabulate lines whose fairleads rise and fall by up to a way, m; None where one has no answer.
 
     Lines that are alike share a table.
     """
     made = LineTables([], [], [], [], [], [], [])
     known: dict[tuple[Any, ...], int] = {}
-    for k in range(len(arrangement.anchor_x)):
-        start, end = arrangement.first[k], arrangement.first[k + 1]
-        pieces = Pieces(
-            arrangement.length[start:end],
-            arrangement.weight[start:end],
-            arrangement.compliance[start:end],
-            arrangement.load[2 * (start + k) : 2 * (end + k + 1)],
-        )
-        height, below = arrangement.fairlead_height[k], arrangement.anchor_height[k]
+    for k in range(net.used[0]):
+        height, below = net.base[6 * k + 5], net.base[6 * k + 2]
+        pieces, friction = problem_at(k, below, height, net).pieces, net.friction[k]
         key = (height, below, *(tuple(map(float, each)) for each in pieces))
         if key not in known:
             known[key] = len(known)
-            if not _tabulate(made, pieces, height, below, arrangement.friction, way):
+            if not _tabulate(made, pieces, height, below, friction, way):
                 return None
         made.table.append(known[key])
     return as_arrays(made)

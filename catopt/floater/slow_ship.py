@@ -9,11 +9,11 @@ from __future__ import annotations
 import math
 from typing import Any, Final, NamedTuple
 
-from catopt.catenary.pieces import LineProblem, Pieces
 from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import CONVERGED
 from catopt.floater.line_tables import LineTables, tabulated
-from catopt.mooring.balance import Arrangement, Lines, pull_at
+from catopt.mooring.net import Known, Net, hang, problem_at
+from catopt.mooring.rest import add_up, remember
 
 HEADINGS: Final = 72
 """Of the ship, all round, between which drift and response are interpolated."""
@@ -93,9 +93,9 @@ def restore(
     x: float,
     y: float,
     yaw: float,
-    arrangement: Arrangement,
+    net: Net,
     tables: LineTables,
-    lines: Lines,
+    known: Known,
     out: Any,
 ) -> int:
     """Put force and moment of the lines at a position into `out` (3,); the one that fails, or -1.
@@ -103,17 +103,22 @@ def restore(
     By closed form, or out of their tables where there are any.
     """
     if tables.table[0] < 0:
-        pull = pull_at(x, y, yaw, arrangement, lines, True)
-        out[0], out[1], out[2] = pull.x, pull.y, pull.moment
-        return -1 if pull.status == CONVERGED else pull.line
+        known.q[0], known.q[1], known.q[2] = x, y, yaw * net.scale[2]
+        status, line = hang(net, known, False)
+        if status != CONVERGED:
+            return line
+        add_up(net, known)
+        remember(net, known)
+        out[0], out[1], out[2] = known.left[0], known.left[1], known.left[2] * net.scale[2]
+        return -1
     cosine, sine = math.cos(yaw), math.sin(yaw)
     out[0] = out[1] = out[2] = 0.0
-    for k in range(len(arrangement.anchor_x)):
-        arm_x = cosine * arrangement.arm_x[k] - sine * arrangement.arm_y[k]
-        arm_y = sine * arrangement.arm_x[k] + cosine * arrangement.arm_y[k]
-        to_x, to_y = arrangement.anchor_x[k] - x - arm_x, arrangement.anchor_y[k] - y - arm_y
+    for k in range(net.used[0]):
+        ahead, aside = net.arm[4 * k + 2], net.arm[4 * k + 3]
+        arm_x, arm_y = cosine * ahead - sine * aside, sine * ahead + cosine * aside
+        to_x, to_y = net.base[6 * k] - x - arm_x, net.base[6 * k + 1] - y - arm_y
         span = max(math.sqrt(to_x * to_x + to_y * to_y), 1e-9)
-        found = tabulated(k, span, arrangement.fairlead_height[k], tables)
+        found = tabulated(k, span, net.base[6 * k + 5], tables)
         if not found.held:
             return k
         along, across = found.H * to_x / span, found.H * to_y / span
@@ -127,9 +132,9 @@ def rates(
     at: float,
     state: Any,
     ship: SlowShip,
-    arrangement: Arrangement,
+    net: Net,
     tables: LineTables,
-    lines: Lines,
+    known: Known,
     out: Any,
 ) -> int:
     """Put the rates of the state into `out` (6,), `at` a place between samples; a line's status."""
@@ -137,7 +142,7 @@ def rates(
     yaw, u, v, r = state[2], state[3], state[4], state[5]
     cosine, sine = math.cos(yaw), math.sin(yaw)
     turned = yaw if ship.turns else 0.0
-    wrong = restore(state[0], state[1], turned, arrangement, tables, lines, force)
+    wrong = restore(state[0], state[1], turned, net, tables, known, force)
     if wrong >= 0:
         return wrong
     force_x, force_y = force[0], force[1]
@@ -191,9 +196,9 @@ def rates(
 def step_slowly(
     h: float,
     ship: SlowShip,
-    arrangement: Arrangement,
+    net: Net,
     tables: LineTables,
-    lines: Lines,
+    known: Known,
     room: Any,
     path: Any,
 ) -> tuple[int, int]:
@@ -206,7 +211,7 @@ def step_slowly(
             room[4, i] = path[n, i]
         for stage in range(4):
             late = 0.0 if stage == 0 else (1.0 if stage == 3 else 0.5)
-            wrong = rates(n + late, room[4], ship, arrangement, tables, lines, room[stage])
+            wrong = rates(n + late, room[4], ship, net, tables, known, room[stage])
             if wrong != -1:
                 return n, wrong
             if stage < 3:
@@ -220,7 +225,7 @@ def step_slowly(
 
 
 def hang_lines(
-    path: Any, ways: Any, turns: bool, arrangement: Arrangement, tables: LineTables, out: Any
+    path: Any, ways: Any, turns: bool, net: Net, tables: LineTables, out: Any
 ) -> tuple[int, int]:
     """Find every line at every place of its fairlead; samples done, and a line at fault.
 
@@ -229,35 +234,23 @@ def hang_lines(
     tension at fairlead and anchor, N.
     """
     for k in range(out.shape[1]):
-        start, end = arrangement.first[k], arrangement.first[k + 1]
-        pieces = Pieces(
-            arrangement.length[start:end],
-            arrangement.weight[start:end],
-            arrangement.compliance[start:end],
-            arrangement.load[2 * (start + k) : 2 * (end + k + 1)],
-        )
+        low, high = net.base[6 * k + 2], net.base[6 * k + 5]
         H = V = math.nan
         for n in range(out.shape[0]):
             yaw = path[n, 2] if turns else 0.0
             cosine, sine = math.cos(yaw), math.sin(yaw)
-            arm_x, arm_y = arrangement.arm_x[k], arrangement.arm_y[k]
+            arm_x, arm_y = net.arm[4 * k + 2], net.arm[4 * k + 3]
             x = path[n, 0] + cosine * arm_x - sine * arm_y + ways[n, k, 0]
             y = path[n, 1] + sine * arm_x + cosine * arm_y + ways[n, k, 1]
-            to_x, to_y = arrangement.anchor_x[k] - x, arrangement.anchor_y[k] - y
+            to_x, to_y = net.base[6 * k] - x, net.base[6 * k + 1] - y
             span = math.sqrt(to_x * to_x + to_y * to_y)
             if tables.table[0] >= 0:
-                height = arrangement.fairlead_height[k] + ways[n, k, 2]
-                found = tabulated(k, span, height, tables)
+                found = tabulated(k, span, high + ways[n, k, 2], tables)
                 if not found.held:
                     return n, k
                 out[n, k, 0], out[n, k, 1] = found.fairlead, found.anchor
                 continue
-            problem = LineProblem(
-                pieces,
-                arrangement.anchor_height[k],
-                arrangement.fairlead_height[k] + ways[n, k, 2],
-                arrangement.friction,
-            )
+            problem = problem_at(k, low, high + ways[n, k, 2], net)
             state = given_span(max(span, 1e-9), problem, H, V)
             if state.status != CONVERGED:
                 state = given_span(max(span, 1e-9), problem, math.nan, math.nan)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Final
 
 import numpy as np
 
@@ -12,8 +12,8 @@ from catopt.arrays import Array
 from catopt.errors import NoEquilibriumError
 from catopt.floater.line_tables import no_tables
 from catopt.floater.slow_ship import SlowShip, rates
-from catopt.mooring.balance import room_for
-from catopt.mooring.batch import as_arrays
+from catopt.mooring.net import Net, room_for
+from catopt.mooring.under_loads import as_arrays
 
 _STEPS: Final = (0.05, 0.05, 1e-3, 1e-3, 1e-3, 1e-5)
 """Of place, yaw and speeds, from which slopes are taken: m, rad, m/s and rad/s."""
@@ -34,12 +34,12 @@ def period_of(series: Array, step: float) -> float | None:
     return float(rises[-1] - rises[0]) * step / (rises.size - 1) if rises.size > 1 else None
 
 
-def linearised(ship: SlowShip, arrangement: Any, rest: tuple[float, float, float]) -> Array:
+def linearised(ship: SlowShip, net: Net, rest: tuple[float, float, float]) -> Array:
     """Take slopes of the rates of the state where the ship rests, (6, 6), by differences.
 
     NoEquilibriumError where a line does not reach so near.
     """
-    lines, tables = as_arrays(room_for(arrangement.first.size - 1)), as_arrays(no_tables())
+    net, known, tables = map(as_arrays, (net, room_for(net), no_tables()))
     matrix = np.empty((6, 6))
     for k, step in enumerate(_STEPS):
         both = []
@@ -47,7 +47,7 @@ def linearised(ship: SlowShip, arrangement: Any, rest: tuple[float, float, float
             state, out = np.zeros(6), np.empty(6)
             state[:3] = rest
             state[k] += side
-            if rates(0.0, state, ship, arrangement, tables, lines, out) >= 0:
+            if rates(0.0, state, ship, net, tables, known, out) >= 0:
                 raise NoEquilibriumError("", "length", math.nan)
             both.append(out)
         matrix[:, k] = (both[0] - both[1]) / (2.0 * step)

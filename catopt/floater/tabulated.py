@@ -12,11 +12,9 @@ from functools import cached_property
 from typing import Any
 
 from catopt.arrays import Array
-from catopt.catenary.state import CONVERGED
 from catopt.floater.line_tables import span_under, tables_of
 from catopt.floater.two_scales import MooredShip, ShipAtRest
-from catopt.mooring.balance import RestoringForce
-from catopt.mooring.descent import Rest
+from catopt.mooring.zero_load import BodyRest
 from catopt.waves import Waves
 
 
@@ -33,7 +31,7 @@ class TabulatedShip(MooredShip):
 
     @cached_property
     def _tables(self) -> Any:
-        found = tables_of(self._arrangement, self.way)
+        found = tables_of(self._net, self.way)
         return super()._tables if found is None else found
 
     def _fast(
@@ -48,23 +46,22 @@ class TabulatedShip(MooredShip):
         moved: tuple[Array, Array, Array] = self.known[key]
         return moved
 
-    def _held(self, load: Array, yaw: float) -> Rest:
+    def _held(self, load: Array, yaw: float) -> BodyRest:
         """Find where a single line is as taut as the load asks for; several by closed form."""
         if self.system.turns or len(self.system.legs) > 1 or self._tables.table[0] < 0:
             return super()._held(load, yaw)
         cosine, sine = math.cos(yaw), math.sin(yaw)
         along, across, _ = load.tolist()
         x, y = along * cosine - across * sine, along * sine + across * cosine
-        force, lines = math.hypot(x, y), self._arrangement
-        span = span_under(force, float(lines.fairlead_height[0]), self._tables)
+        force, (leg,) = math.hypot(x, y), self.system.legs
+        span = span_under(force, leg.fairlead_height, self._tables)
         if force == 0.0 or math.isnan(span.length):
             return super()._held(load, yaw)
         u, v = -x / force, -y / force
         stiff, aside = span.stiffness, force / span.length
         xx, yy = stiff * u * u + aside * v * v, stiff * v * v + aside * u * u
-        pull = RestoringForce(
-            CONVERGED, -1, -x, -y, 0.0, xx, (stiff - aside) * u * v, yy, 0.0, 0.0, 0.0, force
-        )
-        place_x = float(lines.anchor_x[0]) - span.length * u - float(lines.arm_x[0])
-        place_y = float(lines.anchor_y[0]) - span.length * v - float(lines.arm_y[0])
-        return Rest(CONVERGED, -1, place_x, place_y, 0.0, 0, 0.0, 0.0, pull)
+        xy = (stiff - aside) * u * v
+        place_x = leg.anchor[0] - span.length * u - leg.fairlead[0]
+        place_y = leg.anchor[1] - span.length * v - leg.fairlead[1]
+        stiffness = ((xx, xy, 0.0), (xy, yy, 0.0), (0.0, 0.0, 0.0))
+        return BodyRest(place_x, place_y, 0.0, 0, 0.0, 0.0, (-x, -y, 0.0), stiffness)

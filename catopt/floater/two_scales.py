@@ -47,10 +47,9 @@ from catopt.hydro.hull import monohull_response
 from catopt.loads.environment import gust_series
 from catopt.model import System
 from catopt.model.kinds import Angle, Force, Place
-from catopt.mooring.balance import room_for
-from catopt.mooring.batch import as_arrays
-from catopt.mooring.descent import Rest
-from catopt.mooring.static_equilibrium import ZeroLoadPosition, zero_load_position
+from catopt.mooring.net import room_for
+from catopt.mooring.under_loads import as_arrays
+from catopt.mooring.zero_load import BodyRest, ZeroLoadPosition, zero_load_position
 from catopt.waves import Waves
 from catopt.words import Message
 
@@ -196,11 +195,12 @@ class MooredShip:
         rest, yaw, others = self._turned(load) if turns else self._vaned(load, waves)
         turn = 1e-4
         by_weather = -(load(yaw + turn)[2] - load(yaw - turn)[2]) / (2.0 * turn)
-        pull, cosine, sine = rest.pull, math.cos(yaw), math.sin(yaw)
-        both = 2.0 * cosine * sine * pull.xy
-        surge = cosine * cosine * pull.xx + sine * sine * pull.yy + both
-        sway = sine * sine * pull.xx + cosine * cosine * pull.yy - both
-        about = by_weather + (pull.mm if self.system.turns else 0.0)
+        (xx, xy, _), (_, yy, _), (_, _, turning) = rest.stiffness
+        cosine, sine = math.cos(yaw), math.sin(yaw)
+        both = 2.0 * cosine * sine * xy
+        surge = cosine * cosine * xx + sine * sine * yy + both
+        sway = sine * sine * xx + cosine * cosine * yy - both
+        about = by_weather + (turning if self.system.turns else 0.0)
         neutral = self.zero_load.neutral
         parts = (*self.ship.blown(yaw), drift(yaw))
         place = (rest.x, rest.y, yaw)
@@ -208,7 +208,7 @@ class MooredShip:
 
     def _vaned(
         self, load: Callable[[float], Array], waves: Waves
-    ) -> tuple[Rest, float, tuple[float, ...]]:
+    ) -> tuple[BodyRest, float, tuple[float, ...]]:
         """Let it turn freely about the origin: a heading at which a turn is turned back."""
         stable = stable_headings(self.ship, waves)
         if stable is None:
@@ -218,7 +218,7 @@ class MooredShip:
         yaw, *others = stable
         return self._held(load(yaw), yaw), yaw, tuple(others)
 
-    def _turned(self, load: Callable[[float], Array]) -> tuple[Rest, float, tuple[float, ...]]:
+    def _turned(self, load: Callable[[float], Array]) -> tuple[BodyRest, float, tuple[float, ...]]:
         """Find its yaw on lines that turn with it: the load of a yaw, the yaw of a load."""
         yaw = self.zero_load.neutral.yaw
         for _ in range(_ROUNDS):
@@ -229,7 +229,7 @@ class MooredShip:
             yaw += 0.7 * off
         raise NotConvergedError(Message("floater.ship_not_at_rest", rounds=_ROUNDS))
 
-    def _held(self, load: Array, yaw: float) -> Rest:
+    def _held(self, load: Array, yaw: float) -> BodyRest:
         cosine, sine = math.cos(yaw), math.sin(yaw)
         along, across, moment = load.tolist()
         force = (along * cosine - across * sine, along * sine + across * cosine)
@@ -338,7 +338,7 @@ class MooredShip:
 
     def mode(self, waves: Waves, rest: ShipAtRest) -> SwingMode:
         """Find the motion in the mean weather, linearised, that dies away the slowest, or grows."""
-        return swing_mode(linearised(self._steady(waves, rest), self._arrangement, rest.place))
+        return swing_mode(linearised(self._steady(waves, rest), self.zero_load.net, rest.place))
 
     def still_tension(self, path: Array) -> Array:
         """Give the tensions of every line along slow motion (n, 3): (n, lines, 2), N."""
@@ -369,11 +369,10 @@ class MooredShip:
             path[0, 2] += _OFF
         if start is not None:
             path[0] = start
-        legs = len(self.system.legs)
-        lines = as_arrays(room_for(legs))
-        work = 4.0 * _PULL * samples * legs
+        known = as_arrays(room_for(self.zero_load.net))
+        work = 4.0 * _PULL * samples * len(self.system.legs)
         done, wrong = compiled(step_slowly, work)(
-            step, slow, self._arrangement, self._tables, lines, np.zeros((5, 6)), path
+            step, slow, self._net, self._tables, known, np.zeros((5, 6)), path
         )
         if wrong == BEYOND:
             raise _LeavesSectorError
@@ -382,8 +381,8 @@ class MooredShip:
         return path
 
     @property
-    def _arrangement(self) -> Any:
-        return as_arrays(self.zero_load.arrangement)
+    def _net(self) -> Any:
+        return as_arrays(self.zero_load.net)
 
     @property
     def _tables(self) -> Any:
@@ -448,7 +447,7 @@ class MooredShip:
             np.ascontiguousarray(path),
             np.ascontiguousarray(ways),
             bool(self.system.turns),
-            self._arrangement,
+            self._net,
             self._tables,
             out,
         )

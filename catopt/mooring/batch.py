@@ -10,78 +10,16 @@ import numpy.typing as npt
 
 from catopt.arrays import Array, Codes, Flags
 from catopt.catenary.state import CONVERGED, REASONS
-from catopt.compiled import compiled
 from catopt.errors import InputError, Problem
 from catopt.model.array_inputs import array_in_si
 from catopt.model.kinds import Findings
 from catopt.model.system import System
-from catopt.mooring.balance import Arrangement, Lines, pull_at, room_for
-from catopt.mooring.descent import TURNS_OVER, BodyLoad, BodyProblem, Freedom
-from catopt.mooring.static_equilibrium import static_equilibrium, zero_load_position
+from catopt.mooring.rest import TURNS_OVER
+from catopt.mooring.under_loads import PER_LINE, rested
+from catopt.mooring.zero_load import within_half_a_turn, zero_load_position
 from catopt.words import Message
 
 __all__ = ["Batch", "SystemSolutions", "solve_system_many"]
-
-BODY, PER_LINE = 14, 6
-"""Columns that are written of the body: x, y, yaw, force_error, moment_error as in Rest and x, y,
-moment, xx, xy, yy, xm, ym, mm as in RestoringForce; of each line: H, V, span, grounded, H_anchor,
-V_anchor as in Lines."""
-
-
-def static_equilibria(
-    x: float,
-    y: float,
-    yaw: float,
-    force_x: Any,
-    force_y: Any,
-    moment: Any,
-    freedom: Freedom,
-    arrangement: Arrangement,
-    start: Lines,
-    lines: Lines,
-    status: Any,
-    line: Any,
-    steps: Any,
-    body: Any,
-    per_line: Any,
-) -> None:
-    """Bring the body to rest under each load, every time from the same start.
-
-    x, y, yaw are where the body starts. `start`, what is known of the lines near there, is written
-    to; `lines` is work space. Also written: status, line, steps as in Rest; `body` load after load
-    by BODY; `per_line` for each load, for each column of PER_LINE, line after line.
-    """
-    count = len(arrangement.anchor_x)
-    pull = pull_at(x, y, yaw, arrangement, start, True)
-    for i in range(len(force_x)):
-        for k in range(count):
-            lines.H[k], lines.V[k], lines.span[k] = start.H[k], start.V[k], start.span[k]
-            lines.H_S[k], lines.V_S[k] = start.H_S[k], start.V_S[k]
-            lines.grounded[k] = start.grounded[k]
-            lines.H_anchor[k], lines.V_anchor[k] = start.H_anchor[k], start.V_anchor[k]
-        load = BodyLoad(force_x[i], force_y[i], moment[i])
-        problem = BodyProblem(load, freedom, arrangement, lines)
-        rest = static_equilibrium(x, y, yaw, pull, problem)
-        status[i], line[i], steps[i] = rest.status, rest.line, rest.steps
-        end = rest.pull
-        at = i * 14
-        body[at], body[at + 1], body[at + 2] = rest.x, rest.y, rest.yaw
-        body[at + 3], body[at + 4] = rest.force_error, rest.moment_error
-        body[at + 5], body[at + 6], body[at + 7] = end.x, end.y, end.moment
-        body[at + 8], body[at + 9], body[at + 10] = end.xx, end.xy, end.yy
-        body[at + 11], body[at + 12], body[at + 13] = end.xm, end.ym, end.mm
-        for k in range(count):
-            at = i * 6 * count + k
-            per_line[at] = lines.H[k]
-            per_line[at + count] = lines.V[k]
-            per_line[at + 2 * count] = lines.span[k]
-            per_line[at + 3 * count] = lines.grounded[k]
-            per_line[at + 4 * count] = lines.H_anchor[k]
-            per_line[at + 5 * count] = lines.V_anchor[k]
-
-
-_A_LINE = 4e-4
-"""Time that a line of the system takes under one load as plain Python, s."""
 
 
 @dataclass(frozen=True)
@@ -187,58 +125,40 @@ class Batch:
     def __init__(self, system: System) -> None:
         self.system = system
         self._zero_load = zero_load_position(system)
-        self._arrangement = as_arrays(self._zero_load.arrangement)
 
     def under(self, force: npt.ArrayLike, moment: npt.ArrayLike = 0.0) -> SystemSolutions:
         """Bring the body to rest under many loads; as `solve_system_many`."""
         forces, moments = _loads(self.system, force, moment)
         n, count = len(forces), len(self.system.legs)
-        zero_load = self._zero_load
-        neutral = zero_load.neutral
-        status, line, steps = (np.empty(n, dtype=np.int64) for _ in range(3))
-        body = np.empty(n * BODY)
-        per_line = np.empty(n * PER_LINE * count)
-        if n > 0:
-            compiled(static_equilibria, _A_LINE * n * count)(
-                neutral.x,
-                neutral.y,
-                neutral.yaw,
-                np.ascontiguousarray(forces[:, 0]),
-                np.ascontiguousarray(forces[:, 1]),
-                moments,
-                zero_load.freedom,
-                self._arrangement,
-                as_arrays(zero_load.lines),
-                as_arrays(room_for(count)),
-                status,
-                line,
-                steps,
-                body,
-                per_line,
-            )
+        net, neutral = self._zero_load.net, self._zero_load.neutral
+        scale = np.array(net.scale)
+        loads = np.column_stack([forces, moments]) / scale
+        _, under = rested(net, self._zero_load.known, loads.ravel().tolist(), n)
+        status, number, steps = np.array(under.codes, np.int64).reshape(n, 3).T
         solved = status == CONVERGED
-        body = np.where(solved[:, None], body.reshape(n, BODY), np.nan)
-        lines = np.where(solved[:, None, None], per_line.reshape(n, PER_LINE, count), np.nan)
+
+        def found(column: Any, *shape: int) -> Array:
+            values = np.reshape(np.asarray(column, float), (n, *shape))
+            return np.where(solved.reshape(n, *(1 for _ in shape)), values, np.nan)
+
+        position, left = found(under.q, 3) / scale, abs(found(under.unbalanced, 3)) * scale
+        position[:, 2] = [within_half_a_turn(yaw) for yaw in position[:, 2].tolist()]
+        lines = np.moveaxis(found(under.lines, count, PER_LINE), 2, 0)
         return SystemSolutions(
             status,
-            line,
+            np.where(status == TURNS_OVER, -1, number),
             steps,
-            position=body[:, :3],
-            offset=body[:, :2] - [neutral.x, neutral.y],
-            horizontal_force=lines[:, 0],
-            vertical_force=lines[:, 1],
-            span=lines[:, 2],
-            grounded_length=lines[:, 3],
-            anchor_horizontal_force=lines[:, 4],
-            anchor_vertical_force=lines[:, 5],
-            stiffness=body[:, [8, 9, 11, 9, 10, 12, 11, 12, 13]].reshape(n, 3, 3),
-            residual=body[:, 3:5],
+            position=position,
+            offset=position[:, :2] - [neutral.x, neutral.y],
+            horizontal_force=np.hypot(lines[3], lines[4]),
+            vertical_force=-lines[5],
+            span=lines[7],
+            grounded_length=lines[6],
+            anchor_horizontal_force=np.hypot(lines[0], lines[1]),
+            anchor_vertical_force=lines[2],
+            stiffness=found(under.stiffness, 3, 3) * scale * scale[:, np.newaxis],
+            residual=np.column_stack([np.hypot(left[:, 0], left[:, 1]), left[:, 2]]),
         )
-
-
-def as_arrays(columns: Any) -> Any:
-    """Copy a named tuple of lists and numbers, its lists as arrays; for compiled code."""
-    return type(columns)(*(np.array(each) if isinstance(each, list) else each for each in columns))
 
 
 def _loads(system: System, force: npt.ArrayLike, moment: npt.ArrayLike) -> tuple[Array, Array]:

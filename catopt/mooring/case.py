@@ -25,7 +25,7 @@ from catopt.mooring.restoring import (
     watch_circle,
 )
 from catopt.mooring.solution import SystemSolution, of_line, solution_at, solve_system
-from catopt.mooring.static_equilibrium import zero_load_position
+from catopt.mooring.zero_load import zero_load_position
 from catopt.old_names import OldName
 from catopt.progress import paced
 from catopt.records import Record, within

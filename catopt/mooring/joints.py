@@ -5,18 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from catopt.catenary.equilibrium import BY_SPAN
 from catopt.catenary.pieces import LineProblem, Pieces, cut
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import refusal, solution_of
 from catopt.catenary.state import CONVERGED, State
-from catopt.compiled import compiled, is_compiled
 from catopt.errors import CatoptError, FloatsUpError, NoEquilibriumError, NotConvergedError
 from catopt.model import Line, Load
 from catopt.model.network import MooredBody, Network
-from catopt.mooring.descent import TURNS_OVER
 from catopt.mooring.net import (
     FORCES,
     FREE,
@@ -24,7 +22,6 @@ from catopt.mooring.net import (
     OVER_THE_BED,
     PINNED,
     TURNS,
-    WHOLE,
     Known,
     Net,
     by_end,
@@ -34,14 +31,12 @@ from catopt.mooring.net import (
     state_of,
     stiffen,
 )
-from catopt.mooring.rest import PER_LINE, rest_under_each
+from catopt.mooring.rest import TURNS_OVER
+from catopt.mooring.under_loads import Under, as_lists, rested
 from catopt.words import Message
 
 Vector = tuple[float, float, float]
 Matrix = tuple[tuple[float, ...], ...]
-
-_A_LINE = 2e-3
-"""Time that a line of a network takes to come to rest as plain Python, s."""
 
 
 class Ends(NamedTuple):
@@ -247,53 +242,11 @@ def _in_water(network: Network, number: int, place: Vector) -> Vector:
 def _brought_to_rest(network: Network, runs: Sequence[Run], of: Freed) -> JointsAtRest:
     if not of.net.pull:
         hung(of.net, of.room, runs)
-        return _found(of, Under([CONVERGED, -1, 0], [0.0], [], []))
-    room, under = map(_as_lists, rested(of.net, of.room, of.net.pull, 1))
+        return _found(of, Under([CONVERGED, -1, 0], [0.0], [], [], [], []))
+    room, under = map(as_lists, rested(of.net, of.room, of.net.pull, 1))
     of = of._replace(room=room)
     _check_found(network, runs, of, under)
     return _found(of, under)
-
-
-class Under(NamedTuple):
-    """What came of each load, as `rest_under_each` writes it."""
-
-    codes: Any
-    left: Any
-    q: Any
-    lines: Any
-
-
-def rested(net: Net, room: Known, loads: Any, count: int) -> tuple[Known, Under]:
-    """Bring a net to rest under each load, as plain Python or compiled, whichever is sooner done.
-
-    Returns what is known under the last of them, too.
-    """
-    sizes = (3 * count, count, count * len(net.pull), count * PER_LINE * len(net.first))
-    under = Under(*([0] * sizes[0], *([0.0] * size for size in sizes[1:])))
-    run = compiled(rest_under_each, _A_LINE * len(net.first) * count)
-    if is_compiled(rest_under_each):
-        net, room, under = map(_as_arrays, (net, room, under))
-        loads = _as_array(loads)
-    known = room if count == 1 else Known(*(each.copy() for each in room))
-    run(loads, net, room, known, *under)
-    return known, under
-
-
-def _as_arrays(columns: Any) -> Any:
-    """Copy lists as arrays, for compiled code."""
-    named = columns._asdict().items()
-    return type(columns)(*(_as_array(each, is_whole=name in WHOLE) for name, each in named))
-
-
-def _as_lists(columns: Any) -> Any:
-    """Copy arrays as lists; lists stay."""
-    return type(columns)(*(x if isinstance(x, list) else x.tolist() for x in columns))
-
-
-def _as_array(values: Any, *, is_whole: bool = False) -> Any:
-    import numpy as np
-
-    return np.array(values, np.int64 if is_whole else np.float64)
 
 
 def _net(
@@ -348,6 +301,7 @@ def fixed_net(runs: Sequence[Run], places: Sequence[Vector], frictions: Sequence
             column.extend(own)
     count = len(places)
     return Net(
+        used=[len(runs)],
         first=[run.first for run in runs],
         second=[run.second for run in runs],
         piece=piece,
@@ -381,7 +335,7 @@ def _guess(k: int, ends: Ends, room: Known) -> None:
 
 def hung(net: Net, room: Known, runs: Sequence[Run]) -> Known:
     """Solve lines between their points; an error where one has no answer."""
-    status, line = hang(net, room)
+    status, line = hang(net, room, False)
     if status != CONVERGED:
         raise _refused(status, line, net, room, runs)
     return room

@@ -14,8 +14,8 @@ from catopt.catenary.state import CONVERGED
 from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.model.network import MooredBody, Network
 from catopt.mooring.fixed_body import WithoutLoad, without_load
-from catopt.mooring.joints import is_anchored, pose_of, rested
-from catopt.mooring.rest import PER_LINE
+from catopt.mooring.joints import is_anchored, pose_of
+from catopt.mooring.under_loads import PER_LINE, rested
 
 __all__ = ["NetworkSolutions", "solve_network_many"]
 
@@ -84,7 +84,9 @@ def solve_network_many(network: Network, *, force: npt.ArrayLike) -> NetworkSolu
             continue
         poses[load], left[load] = rest.joints.poses, rest.residual
         ends = rest.joints.ends
-        found[load] = [(*each.first, *each.second, each.state.grounded) for each in ends]
+        found[load] = [
+            (*each.first, *each.second, each.state.grounded, each.state.span) for each in ends
+        ]
     given = np.array([(body.x, body.y, 0.0) for body in network.bodies])
     poses[..., 2] = math.pi - np.remainder(math.pi - poses[..., 2], math.tau)
     neutral = np.array([pose[:2] for pose in start.found.poses])

@@ -17,7 +17,7 @@ from __future__ import annotations
 import math
 from typing import Any, Final, NamedTuple
 
-from catopt.catenary.equilibrium import given_force
+from catopt.catenary.equilibrium import given_force, hung_state
 from catopt.catenary.pieces import LineProblem, Pieces, is_plain, reversed_pieces, total_length
 from catopt.catenary.span_or_tension import given_span
 from catopt.catenary.state import (
@@ -26,6 +26,7 @@ from catopt.catenary.state import (
     GROUNDED_IN_PARTS,
     State,
 )
+from catopt.catenary.suspended import FIRST_TOUCHDOWN
 from catopt.compiled import inlined, packed
 
 _NEAREST: Final = 1e-9
@@ -37,6 +38,9 @@ _SHORTEST: Final = 1e-12
 _EXACT, _TANGENTS = 2e-15, 8
 """Part of the length by which a span may be missed; tangents that are followed to it."""
 
+_NEARLY: Final = 3e-3
+"""Last relative step of a line that need not be exact."""
+
 FREE, OVER_THE_BED, TURNS, PINNED = range(4)
 """What a freedom is: none of the others, the height of a joint, the yaw of a body, one held."""
 
@@ -44,8 +48,8 @@ STATE, GUESS, FORCES, STIFFNESS = len(State._fields), 8, 6, 36
 """Numbers of each line: those of a State; H, V, span and rise with the derivatives of H and V at
 the second end by span and height; forces on both points; and stiffness of both, row by row."""
 
-GROUNDED: Final = State._fields.index("grounded")
-"""Which number of a State is the length on the bed."""
+SPAN, GROUNDED = map(State._fields.index, ("span", "grounded"))
+"""Which number of a State is the span, and the length on the bed."""
 
 
 @packed
@@ -59,9 +63,11 @@ class Net(NamedTuple):
     `pull` loads a freedom (N), `scale` is the arm of a yaw (m; else 1), `kind` one of the above;
     `group` has the first freedom of each joint and body, and their number. A float that has come up
     to the `surface` (m) has lost `buoyancy` of its pull (N; 0: it is none), and no part of it at
-    `height` below that (m; 0: it is flat, and loses any part of it at the surface).
+    `height` below that (m; 0: it is flat, and loses any part of it at the surface). Of the lines
+    the first `used[0]` are there.
     """
 
+    used: Any
     first: Any
     second: Any
     piece: Any
@@ -82,7 +88,19 @@ class Net(NamedTuple):
     height: Any
 
 
-WHOLE: Final = ("first", "second", "piece", "freedom", "kind", "group", "held", "codes")
+WHOLE: Final = (
+    "used",
+    "first",
+    "second",
+    "piece",
+    "freedom",
+    "kind",
+    "group",
+    "held",
+    "plan",
+    "codes",
+    "table",
+)
 """Fields that are whole numbers."""
 
 
@@ -91,8 +109,11 @@ class Known(NamedTuple):
     """Where the freedoms are (`q`, m), and what is known there; written to.
 
     Of points their places and levers (m), of lines what STATE to STIFFNESS count; of freedoms
-    what is left over, what the bed carries and what is lost of buoyancy (N), which are held, the
-    stiffness (N/m), and room for a step.
+    what is left over, what the bed or a pin carries and what is lost of buoyancy (N), which are
+    held, the stiffness (N/m), and room for a step. How all else follows a body that is turned, and
+    where it last did; what was loaded, and how far off balance that was at the start (N). `plan` is
+    1 of lines from a fixed point to one that moves in plan alone. `most` has the largest force left
+    over at a joint or a body, the largest end force of a line, and that in plan (N).
     """
 
     q: Any
@@ -112,6 +133,12 @@ class Known(NamedTuple):
     before: Any
     pulled: Any
     begun: Any
+    follow: Any
+    kept: Any
+    asked: Any
+    off: Any
+    plan: Any
+    most: Any
 
 
 def room_for(net: Net) -> Known:
@@ -125,16 +152,26 @@ def room_for(net: Net) -> Known:
         "block": STIFFNESS,
         "stiffness": n * n,
         "pivots": n * n,
+        "most": 3,
     }
     made = {name: [0.0] * sizes.get(name, n) for name in Known._fields}
-    return Known(**made | {"guess": [math.nan] * (GUESS * lines), "held": [0] * n})
+    plan = [int(_is_in_plan(k, net)) for k in range(lines)]
+    return Known(**made | {"guess": [math.nan] * (GUESS * lines), "held": [0] * n, "plan": plan})
 
 
-def hang(net: Net, known: Known) -> tuple[int, int]:
-    """Place the points, and solve every line there, from its guess; status and line."""
+def _is_in_plan(k: int, net: Net) -> bool:
+    a, b = 4 * net.first[k], 4 * net.second[k]
+    return bool(max(net.freedom[a : a + 4]) < 0 and net.freedom[b + 2] < 0)
+
+
+def hang(net: Net, known: Known, is_rough: bool) -> tuple[int, int]:
+    """Place the points, and solve every line there, from its guess; status and line.
+
+    `is_rough`: a few digits will do, in half the time, of lines whose upper ends move in plan.
+    """
     place_points(net, known)
-    for k in range(len(net.first)):
-        status = _hang_one(k, net, known)
+    for k in range(net.used[0]):
+        status = _hang_one(k, net, known, is_rough and known.plan[k] == 1)
         if status != CONVERGED:
             return status, k
     return CONVERGED, -1
@@ -142,23 +179,35 @@ def hang(net: Net, known: Known) -> tuple[int, int]:
 
 def place_points(net: Net, known: Known) -> None:
     """Place the points by the freedoms."""
+    turned, cosine, sine = -1, 1.0, 0.0
     for p in range(len(net.base) // 3):
-        turn = net.freedom[4 * p + 3]
-        x, y = net.arm[2 * p], net.arm[2 * p + 1]
+        at = 3 * p
+        place_x, place_y, height = net.base[at], net.base[at + 1], net.base[at + 2]
+        along, across, up = net.freedom[4 * p], net.freedom[4 * p + 1], net.freedom[4 * p + 2]
+        if along < 0 and up < 0:
+            known.place[at], known.place[at + 1], known.place[at + 2] = place_x, place_y, height
+            continue
+        x, y, turn = net.arm[2 * p], net.arm[2 * p + 1], net.freedom[4 * p + 3]
         if turn >= 0:
-            yaw = known.q[turn] / net.scale[turn]
-            cosine, sine = math.cos(yaw), math.sin(yaw)
+            if turn != turned:
+                yaw = known.q[turn] / net.scale[turn]
+                turned, cosine, sine = turn, math.cos(yaw), math.sin(yaw)
             x, y = cosine * x - sine * y, sine * x + cosine * y
         known.lever[2 * p], known.lever[2 * p + 1] = x, y
-        for i in range(3):
-            moves = net.freedom[4 * p + i]
-            known.place[3 * p + i] = net.base[3 * p + i] + (known.q[moves] if moves >= 0 else 0.0)
-        known.place[3 * p] += x
-        known.place[3 * p + 1] += y
+        place_x += known.q[along] if along >= 0 else 0.0
+        place_y += known.q[across] if across >= 0 else 0.0
+        known.place[at], known.place[at + 1] = place_x + x, place_y + y
+        known.place[at + 2] = height + (known.q[up] if up >= 0 else 0.0)
 
 
 def problem_of(k: int, net: Net, known: Known) -> LineProblem:
     """Say what a line is between its points: from its first end, towards which friction acts."""
+    return problem_at(k, known.place[3 * net.first[k] + 2], known.place[3 * net.second[k] + 2], net)
+
+
+@inlined
+def problem_at(k: int, low: float, high: float, net: Net) -> LineProblem:
+    """Say what a line is between two heights, m."""
     start, end = net.piece[k], net.piece[k + 1]
     pieces = Pieces(
         net.length[start:end],
@@ -166,22 +215,21 @@ def problem_of(k: int, net: Net, known: Known) -> LineProblem:
         net.compliance[start:end],
         net.load[2 * (start + k) : 2 * (end + k + 1)],
     )
-    low, high = known.place[3 * net.first[k] + 2], known.place[3 * net.second[k] + 2]
     return LineProblem(pieces, low, high, net.friction[k])
 
 
 @inlined
-def _along(k: int, net: Net, known: Known) -> tuple[float, float, float]:
+def chord_of(k: int, net: Net, known: Known) -> tuple[float, float, float]:
     """From the second point of a line to its first, in plan: x, y and how far, m."""
     a, b = 3 * net.first[k], 3 * net.second[k]
     x, y = known.place[a] - known.place[b], known.place[a + 1] - known.place[b + 1]
     return x, y, math.sqrt(x * x + y * y)
 
 
-def _hang_one(k: int, net: Net, known: Known) -> int:
+def _hang_one(k: int, net: Net, known: Known, is_rough: bool) -> int:
     """Solve a line between its points, and write what it pulls with; its status."""
     problem = problem_of(k, net, known)
-    x, y, span = _along(k, net, known)
+    x, y, span = chord_of(k, net, known)
     clear = max(span, _NEAREST * total_length(problem.pieces))
     rise = problem.fairlead_height - problem.anchor_height
     at = GUESS * k
@@ -192,7 +240,10 @@ def _hang_one(k: int, net: Net, known: Known) -> int:
     # After a long way back the tangent says nothing.
     if not (H > 0.0 and ahead > 0.2 * H and aloft > 0.2 * V):
         ahead = aloft = math.nan
-    state = _solved(clear, problem, ahead, aloft)
+    if is_rough and ahead > 0.0 and problem.fairlead_height > 0.0 and is_plain(problem):
+        state = _nearly(clear, problem, ahead, aloft)
+    else:
+        state = _solved(clear, problem, ahead, aloft)
     _write_state(k, state, known)
     if state.status != CONVERGED:
         return state.status
@@ -208,8 +259,8 @@ def _hang_one(k: int, net: Net, known: Known) -> int:
 @inlined
 def _write_state(k: int, state: State, known: Known) -> None:
     at = STATE * k
-    known.state[at], known.state[at + 1] = float(state.status), float(state.regime)
-    known.state[at + 2], known.state[at + 3] = float(state.touchdown), state.H
+    known.state[at], known.state[at + 1] = state.status, state.regime
+    known.state[at + 2], known.state[at + 3] = state.touchdown, state.H
     known.state[at + 4], known.state[at + 5] = state.V, state.span
     known.state[at + 6], known.state[at + 7] = state.height_error, state.grounded
     known.state[at + 8], known.state[at + 9] = state.H_anchor, state.V_anchor
@@ -259,6 +310,45 @@ def _solved(span: float, problem: LineProblem, H: float, V: float) -> State:
     return given_span(span, problem, H, V)
 
 
+def _nearly(span: float, problem: LineProblem, H: float, V: float) -> State:
+    """Newton's method on (span, height) as in catenary.equilibrium, left as soon as it is close.
+
+    The last step is taken and not looked at again: its error is the square of _NEARLY.
+    """
+    start_H, start_V = H, V
+    for _ in range(6):
+        state = hung_state(
+            H, V, problem.pieces, problem.fairlead_height, problem.friction, FIRST_TOUCHDOWN
+        )
+        determinant = state.x_H * state.z_V - state.x_V * state.z_H
+        if not determinant > 0.0:
+            break
+        error = state.span - span
+        dH = (state.x_V * state.height_error - state.z_V * error) / determinant
+        dV = (state.z_H * error - state.x_H * state.height_error) / determinant
+        steps = max(abs(dH) / H, abs(dV) / max(V, H))
+        H = min(max(H + dH, 0.1 * H), 10.0 * H)
+        V = max(V + dV, 0.1 * V)
+        if steps <= _NEARLY:
+            return State(
+                state.status,
+                state.regime,
+                state.touchdown,
+                H,
+                V,
+                span,
+                0.0,
+                state.grounded,
+                state.H_anchor,
+                state.V_anchor,
+                state.x_H,
+                state.x_V,
+                state.z_H,
+                state.z_V,
+            )
+    return given_span(span, problem, start_H, start_V)
+
+
 def by_end(state: State, problem: LineProblem) -> tuple[float, float, float, float]:
     """Derive H and V at the second end by the span and by its height, N/m."""
     determinant = state.x_H * state.z_V - state.x_V * state.z_H
@@ -294,6 +384,18 @@ def _lift_slope(state: State, pieces: Pieces) -> float:
             return float(1.0 / stretch)
         carried = max(carried - pieces.load[k], 0.0)
     return float(max(pieces.weight[0], 0.0))
+
+
+@inlined
+def slopes_of(k: int, net: Net, known: Known) -> tuple[float, float, float, float]:
+    """Derive H and V of a line as it hangs, as `by_end`."""
+    at = STATE * k
+    H, x_H, x_V = known.state[at + 3], known.state[at + 10], known.state[at + 11]
+    z_H, z_V = known.state[at + 12], known.state[at + 13]
+    determinant = x_H * z_V - x_V * z_H
+    if H == 0.0 or determinant == 0.0:
+        return by_end(state_of(k, known), problem_of(k, net, known))
+    return z_V / determinant, -x_V / determinant, -z_H / determinant, x_H / determinant
 
 
 class Slopes(NamedTuple):
@@ -347,7 +449,7 @@ def stiffen(k: int, net: Net, known: Known) -> None:
     It is minus the derivatives of the forces on both points by the places of both.
     """
     state, problem = state_of(k, known), problem_of(k, net, known)
-    x, y, span = _along(k, net, known)
+    x, y, span = chord_of(k, net, known)
     clear = max(span, _NEAREST * total_length(problem.pieces))
     of = _slopes(state, clear, problem)
     ux, uy = (x / span, y / span) if span > 0.0 else (1.0, 0.0)

@@ -12,14 +12,12 @@ Plain functions of lists, or of arrays in compiled code.
 from __future__ import annotations
 
 import math
-from typing import Any, Final, NamedTuple
+from typing import Final, NamedTuple
 
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED
 from catopt.compiled import inlined
-from catopt.mooring.descent import TURNS_OVER
 from catopt.mooring.net import (
     FORCES,
-    GROUNDED,
     GUESS,
     OVER_THE_BED,
     PINNED,
@@ -27,21 +25,26 @@ from catopt.mooring.net import (
     TURNS,
     Known,
     Net,
-    by_end,
+    chord_of,
     hang,
-    problem_of,
-    state_of,
+    slopes_of,
     stiffen,
 )
 
+TURNS_OVER: Final = 100
+"""Status beside those of a line: the lines stop a body at no heading."""
+
 TOLERANCE: Final = 1e-9
 """Force left over at a joint, over the largest end force of a line."""
+
+_NEAR, _ROUGHLY = 3e-3, 1e-5
+"""The same from which on each line is solved exactly; and what means nothing when it was not."""
 
 ROUNDING: Final = 2e-15
 """Of the longest line, by which rounding moves an end: over the stiffness that is a force."""
 
 WORTH_A_STEP: Final = 1e-3
-"""Of what may be left over: more than that is brought down as long as a step halves it."""
+"""Of what may be left over beside forces in plan: more is brought down while a step halves it."""
 
 STEPS: Final = 200
 _CUTS: Final = 60
@@ -57,6 +60,11 @@ _GENTLE: Final = 1e-6
 """The same, over what the forces would make of it along the longest line."""
 MOST_TURN, _NUDGE = 0.5, 0.01
 """rad: of a body in one step; and off a ridge on which it balances."""
+_GROWTH: Final = 1.5
+"""Longest step over the one before."""
+_BLOWN_UP: Final = 1e3
+"""Of the forces at the start, what is left over where a body that comes upon the end of a line that
+does not stretch can hardly slide along it."""
 _RIDGE: Final = 1e-9
 """Of the largest stiffness: by so much a pivot may be below 0 from rounding."""
 
@@ -71,35 +79,46 @@ class Found(NamedTuple):
 
 
 def add_up(net: Net, known: Known) -> tuple[float, float]:
-    """Sum what is left over by freedom, and what the bed carries; the largest of each, N.
+    """Sum what is left over by freedom, and what bed and pins carry; the largest of each, N.
 
     The largest left over at a joint or a body, and the largest end force of a line.
     """
-    largest = 0.0
+    largest, flat = 0.0, 0.0
     for i in range(len(net.pull)):
         known.left[i], known.laid[i], known.held[i] = net.pull[i], 0.0, 0
         known.lost[i] = 0.0
-    for k in range(len(net.first)):
+    for k in range(net.used[0]):
         at = FORCES * k
-        _add_force(at, net.first[k], net, known)
+        if known.plan[k] == 0:
+            _add_force(at, net.first[k], net, known)
         _add_force(at + 3, net.second[k], net, known)
-        for end in (at, at + 3):
-            x, y, z = known.force[end], known.force[end + 1], known.force[end + 2]
-            largest = max(largest, x * x + y * y + z * z)
+        x, y, z = known.force[at], known.force[at + 1], known.force[at + 2]
+        u, v, w = known.force[at + 3], known.force[at + 4], known.force[at + 5]
+        along, other = x * x + y * y, u * u + v * v
+        largest, flat = max(largest, along + z * z, other + w * w), max(flat, along, other)
     for i in range(len(net.pull)):
         if net.buoyancy[i] > 0.0:
             _float(i, net, known)
-        if net.kind[i] == OVER_THE_BED and known.q[i] <= 0.0 and known.left[i] <= 0.0:
+        is_on_bed = net.kind[i] == OVER_THE_BED and known.q[i] <= 0.0 and known.left[i] <= 0.0
+        if is_on_bed or net.kind[i] == PINNED:
             known.laid[i], known.left[i], known.held[i] = 0.0 - known.left[i], 0.0, 1
-        elif net.kind[i] == PINNED:  # what holds a body is no reaction of the bed
-            known.left[i], known.held[i] = 0.0, 1
     most = 0.0
     for g in range(len(net.group) - 1):
         total = 0.0
         for i in range(net.group[g], net.group[g + 1]):
             total += known.left[i] * known.left[i]
         most = max(most, total)
-    return math.sqrt(most), math.sqrt(largest)
+    known.most[0], known.most[1] = math.sqrt(most), math.sqrt(largest)
+    known.most[2] = math.sqrt(flat)
+    return known.most[0], known.most[1]
+
+
+def _hang_anew(net: Net, known: Known) -> tuple[int, int]:
+    """Solve every line where all is, and sum up; status and line."""
+    status, line = hang(net, known, False)
+    if status == CONVERGED:
+        add_up(net, known)
+    return status, line
 
 
 @inlined
@@ -119,10 +138,13 @@ def _float(i: int, net: Net, known: Known) -> None:
 @inlined
 def _add_force(at: int, p: int, net: Net, known: Known) -> None:
     """Add a force on a point to what is left over of its freedoms."""
-    for i in range(3):
-        moves = net.freedom[4 * p + i]
-        if moves >= 0:
-            known.left[moves] += known.force[at + i]
+    along, across, up = net.freedom[4 * p], net.freedom[4 * p + 1], net.freedom[4 * p + 2]
+    if along >= 0:
+        known.left[along] += known.force[at]
+    if across >= 0:
+        known.left[across] += known.force[at + 1]
+    if up >= 0:
+        known.left[up] += known.force[at + 2]
     turn = net.freedom[4 * p + 3]
     if turn >= 0:
         moment = known.lever[2 * p] * known.force[at + 1]
@@ -137,7 +159,10 @@ def _assemble(net: Net, known: Known) -> float:
     """
     stiffest = 0.0
     begin(net, known)
-    for k in range(len(net.first)):
+    for k in range(net.used[0]):
+        if known.plan[k] == 1:
+            stiffest = max(stiffest, _add_in_plan(k, net, known))
+            continue
         stiffen(k, net, known)
         add_line(k, net, known)
         for i in range(6):
@@ -164,6 +189,39 @@ def add_line(k: int, net: Net, known: Known) -> None:
     _add_block(21, b, b, net, known)
     _add_turn(FORCES * k, a, net, known)
     _add_turn(FORCES * k + 3, b, net, known)
+
+
+def _add_in_plan(k: int, net: Net, known: Known) -> float:
+    """Add the stiffness of a line whose upper end moves along x and y and turns; the largest, N/m.
+
+    It is that of the line along it, and H over the span across it.
+    """
+    at, p = FORCES * k + 3, net.second[k]
+    along, _, _, up = slopes_of(k, net, known)
+    i, turn = net.freedom[4 * p], net.freedom[4 * p + 3]
+    if i >= 0:
+        x, y, span = chord_of(k, net, known)
+        n, H = len(net.pull), known.state[STATE * k + 3]
+        fx, fy = known.force[at], known.force[at + 1]
+        ux, uy, across = (x / span, y / span, H / span) if span > 0.0 else (1.0, 0.0, 0.0)
+        xx = along * ux * ux + across * uy * uy
+        xy = (along - across) * ux * uy
+        yy = along * uy * uy + across * ux * ux
+        at, j = i * n, (i + 1) * n
+        known.stiffness[at + i] += xx
+        known.stiffness[at + i + 1] += xy
+        known.stiffness[j + i] += xy
+        known.stiffness[j + i + 1] += yy
+        if turn >= 0:
+            arm, lever_x, lever_y = net.scale[turn], known.lever[2 * p], known.lever[2 * p + 1]
+            xm, ym = xy * lever_x - xx * lever_y, yy * lever_x - xy * lever_y
+            known.stiffness[at + turn] += xm / arm
+            known.stiffness[turn * n + i] += xm / arm
+            known.stiffness[j + turn] += ym / arm
+            known.stiffness[turn * n + i + 1] += ym / arm
+            by_turning = ym * lever_x - xm * lever_y + fx * lever_x + fy * lever_y
+            known.stiffness[turn * n + turn] += by_turning / (arm * arm)
+    return max(along, up)
 
 
 @inlined
@@ -254,34 +312,34 @@ def _lay_rows(known: Known, n: int, is_even: bool) -> float:
     return largest
 
 
-def _is_stable(net: Net, known: Known) -> bool:
+def is_stable(net: Net, known: Known) -> bool:
     """Whether no body turns on from where it is in balance."""
     n, stiffest, does_turn = len(net.pull), 0.0, False
     for i in range(n):
         does_turn = does_turn or net.kind[i] == TURNS
         stiffest = max(stiffest, known.stiffness[i * n + i])
-        known.left[i] = 0.0
     if not does_turn or not stiffest > 0.0:  # or every line is slack
         return True
     return descend(net, known, False) >= -_RIDGE * stiffest
 
 
 @inlined
-def _remember(net: Net, known: Known) -> None:
+def remember(net: Net, known: Known) -> None:
     """Keep where the freedoms are, what they are pulled with, and the lines as guesses."""
     for i in range(len(net.pull)):
         known.before[i], known.pulled[i] = known.q[i], known.left[i]
-    for k in range(len(net.first)):
-        state, problem = state_of(k, known), problem_of(k, net, known)
-        H_s, H_b, V_s, V_b = by_end(state, problem)
-        at = GUESS * k
-        known.guess[at], known.guess[at + 1], known.guess[at + 2] = state.H, state.V, state.span
-        known.guess[at + 3] = problem.fairlead_height - problem.anchor_height
+    for k in range(net.used[0]):
+        H_s, H_b, V_s, V_b = slopes_of(k, net, known)
+        at, state = GUESS * k, STATE * k + 3
+        known.guess[at], known.guess[at + 1] = known.state[state], known.state[state + 1]
+        known.guess[at + 2] = known.state[state + 2]
+        high, low = known.place[3 * net.second[k] + 2], known.place[3 * net.first[k] + 2]
+        known.guess[at + 3] = high - low
         known.guess[at + 4], known.guess[at + 5] = H_s, H_b
         known.guess[at + 6], known.guess[at + 7] = V_s, V_b
 
 
-def _step(net: Net, known: Known, stride: float) -> tuple[int, int]:
+def _step(net: Net, known: Known, stride: float, is_rough: bool) -> tuple[int, int]:
     """Take a step of Newton's method, or as much of it as goes down; status and line."""
     n, stiffest, strongest = len(net.pull), 0.0, 0.0
     for i in range(n):
@@ -301,29 +359,38 @@ def _step(net: Net, known: Known, stride: float) -> tuple[int, int]:
     for i in range(n):
         if net.kind[i] == TURNS and known.way[i] != 0.0:
             part = min(part, MOST_TURN * net.scale[i] / abs(known.way[i]))
-    _remember(net, known)
-    return _go_down(net, known, part)
+    remember(net, known)
+    return _go_down(net, known, part, is_rough)
 
 
-def _go_down(net: Net, known: Known, part: float) -> tuple[int, int]:
-    """Go a part of the way, cut back while the forces push back there; status and line."""
+def _go_down(net: Net, known: Known, part: float, is_rough: bool) -> tuple[int, int]:
+    """Go a part of the way, cut back while the forces push back there; status and line.
+
+    So it is where a line does not reach.
+    """
     short, far, pull, push, last = 0.0, math.inf, 0.0, 0.0, part
+    status, line, before = CONVERGED, -1, 0.0
+    for i in range(len(net.pull)):
+        before += known.pulled[i] * known.pulled[i]
     for cut_back in range(_CUTS):
         downhill = go(net, known, part)
-        status, line = hang(net, known)
-        if status != CONVERGED:
-            return status, line
-        add_up(net, known)
-        slope = 0.0
-        for i in range(len(net.pull)):
-            slope += known.left[i] * (known.q[i] - known.before[i])
-        most = _SETTLED if cut_back > 0 else _OVERSHOOT
-        if abs(slope) <= most * downhill or (slope > 0.0 and math.isinf(far)):
-            break
-        # Illinois: regula falsi between where the forces still pull on and where they push back;
-        # the end that stays counts half, so that a kink between them is closed in on.
         if short == 0.0:
             pull = downhill / part
+        status, line = hang(net, known, is_rough)
+        slope = -pull * part  # as if it pushed back as much
+        if status == CONVERGED:
+            add_up(net, known)
+            slope, left = 0.0, 0.0
+            for i in range(len(net.pull)):
+                slope += known.left[i] * (known.q[i] - known.before[i])
+                left += known.left[i] * known.left[i]
+            if left <= 0.25 * before:
+                break
+            most = _SETTLED if cut_back > 0 else _OVERSHOOT
+            if abs(slope) <= most * downhill or (slope > 0.0 and math.isinf(far)):
+                break
+        # Illinois: regula falsi between where the forces still pull on and where they push back;
+        # the end that stays counts half, so that a kink between them is closed in on.
         if slope > 0.0:
             push = 0.5 * push if short == last else push
             short, pull = part, slope / part
@@ -332,7 +399,7 @@ def _go_down(net: Net, known: Known, part: float) -> tuple[int, int]:
             far, push = part, slope / part
         last = part
         part = short + min(max(pull / (pull - push), 0.01), 0.99) * (far - short)
-    return CONVERGED, -1
+    return status, line
 
 
 def go(net: Net, known: Known, part: float) -> float:
@@ -351,30 +418,45 @@ def go(net: Net, known: Known, part: float) -> float:
     return downhill
 
 
-def rest(net: Net, known: Known) -> Found:
+def rest(net: Net, known: Known, hung: tuple[int, int], tolerance: float) -> Found:
     """Step until the forces are in balance, and as long as that still gets better.
 
-    From where `q` and the guesses of the lines are; TURNS_OVER, with its freedom: a moment turns a
-    body round once.
+    From where the freedoms are, of which `hang` said `hung`; `tolerance` as TOLERANCE, or coarser,
+    which then will do. TURNS_OVER, with its freedom: a moment turns a body round once.
     """
-    stride = longest(net)
+    length = longest(net)
     for i in range(len(net.pull)):
         known.begun[i] = known.q[i]
-    status, number = hang(net, known)
-    best, is_nudged, left = math.inf, False, math.nan
+    status, number = hung
+    add_up(net, known)
+    stride = _first_stride(length, net, known)
+    best, most, left, is_nudged, is_rough = math.inf, math.inf, math.nan, False, False
     for step in range(STEPS):
         if status != CONVERGED:
             return Found(status, number, step, left)
-        left, largest = add_up(net, known)
-        limit = TOLERANCE * largest + ROUNDING * stride * _assemble(net, known)
-        if left <= limit and not WORTH_A_STEP * limit < left < 0.5 * best:
-            if is_nudged or _is_stable(net, known):
+        left, largest = known.most[0], known.most[1]
+        most = _BLOWN_UP * (left + largest) if step == 0 else most
+        if left > most:
+            return Found(NOT_CONVERGED, -1, step, left)
+        stiffest = _assemble(net, known)
+        if is_rough and left <= _ROUGHLY * largest:
+            remember(net, known)
+            is_rough = False
+            status, number = _hang_anew(net, known)
+            continue
+        rounding = ROUNDING * length * stiffest
+        limit, little = tolerance * largest + rounding, tolerance * known.most[2] + rounding
+        is_enough = tolerance > TOLERANCE or not WORTH_A_STEP * little < left < 0.5 * best
+        if left <= limit and is_enough:
+            if is_nudged or is_stable(net, known):
                 return Found(CONVERGED, -1, step, left)
             is_nudged, best = True, math.inf
             status, number = _nudged(net, known)
             continue
         best = min(best, left)
-        status, number = _step(net, known, stride)
+        is_rough = left > _NEAR * largest
+        status, number = _step(net, known, stride, is_rough)
+        stride = min(_GROWTH * stride, length)
         over = _turned_over(net, known)
         if over >= 0:
             return Found(TURNS_OVER, over, step, left)
@@ -386,21 +468,45 @@ def rest(net: Net, known: Known) -> Found:
 def longest(net: Net) -> float:
     """Unstretched length of the longest line, m."""
     most = 0.0
-    for k in range(len(net.first)):
-        length = 0.0
-        for piece in range(net.piece[k], net.piece[k + 1]):
-            length += net.length[piece]
-        most = max(most, length)
+    for k in range(net.used[0]):
+        most = max(most, _length(k, net))
     return most
+
+
+@inlined
+def _length(k: int, net: Net) -> float:
+    length = 0.0
+    for piece in range(net.piece[k], net.piece[k + 1]):
+        length += net.length[piece]
+    return length
+
+
+def _first_stride(most: float, net: Net, known: Known) -> float:
+    """Longest first step, m.
+
+    Where every line has one end that moves, in plan, half of what a line can spare: beyond it the
+    line is another one, stiff or slack.
+    """
+    least = most
+    for k in range(net.used[0]):
+        if known.plan[k] == 0:
+            return most
+        a, b, square = 3 * net.first[k], 3 * net.second[k], 0.0
+        for i in range(3):
+            off = known.place[a + i] - known.place[b + i]
+            square += off * off
+        length = _length(k, net)
+        least = min(least, max(0.5 * abs(length - math.sqrt(square)), 0.01 * length))
+    return least
 
 
 def _nudged(net: Net, known: Known) -> tuple[int, int]:
     """Turn every body a little, off a ridge on which it balances; status and line."""
-    _remember(net, known)
+    remember(net, known)
     for i in range(len(net.pull)):
         if net.kind[i] == TURNS:
             known.q[i] += _NUDGE * net.scale[i]
-    return hang(net, known)
+    return _hang_anew(net, known)
 
 
 def _turned_over(net: Net, known: Known) -> int:
@@ -417,33 +523,3 @@ def _has_moved(net: Net, known: Known) -> bool:
     for i in range(len(net.pull)):
         far = max(far, abs(known.q[i] - known.before[i]))
     return far > 0.0
-
-
-PER_LINE: Final = FORCES + 1
-"""Numbers that are written of each line under each load: FORCES, and its length on the bed."""
-
-
-def rest_under_each(
-    loads: Any, net: Net, start: Known, known: Known, codes: Any, left: Any, q: Any, lines: Any
-) -> None:
-    """Bring all to rest under each load (a row: N for each freedom), every time from the start.
-
-    `known` is work space. Written, load after load: status, number and steps of Found to `codes`,
-    what is left over (N), where the freedoms are, and of each line PER_LINE.
-    """
-    n, count = len(net.pull), len(net.first)
-    for m in range(len(left)):
-        for i in range(n):
-            net.pull[i], known.q[i] = loads[m * n + i], start.q[i]
-        for i in range(GUESS * count):
-            known.guess[i] = start.guess[i]
-        found = rest(net, known)
-        codes[3 * m], codes[3 * m + 1], codes[3 * m + 2] = found.status, found.number, found.steps
-        left[m] = found.left
-        for i in range(n):
-            q[m * n + i] = known.q[i]
-        for k in range(count):
-            at = (m * count + k) * PER_LINE
-            for i in range(FORCES):
-                lines[at + i] = known.force[FORCES * k + i]
-            lines[at + FORCES] = known.state[STATE * k + GROUNDED]

@@ -13,12 +13,10 @@ from catopt.largest import first_largest
 from catopt.model.kinds import Angle, Findings, Force, Height, Place, SomeForce, Strength
 from catopt.model.network import Network
 from catopt.model.system import System
-from catopt.mooring.balance import Lines
-from catopt.mooring.descent import Rest
 from catopt.mooring.fixed_body import WithoutLoad, at_rest, without_load
 from catopt.mooring.joints import pulls_of
 from catopt.mooring.network_rest import LinesAtRest
-from catopt.mooring.static_equilibrium import ZeroLoadPosition, zero_load_position
+from catopt.mooring.zero_load import BodyRest, Lines, ZeroLoadPosition, zero_load_position
 from catopt.old_names import old_function
 from catopt.progress import paced
 from catopt.records import Counted, Record
@@ -81,7 +79,7 @@ def network_response(rest: LinesAtRest, moved: tuple[float, float] | None = None
 
 
 def response_of(
-    zero_load: ZeroLoadPosition, rest: Rest, lines: Lines, zero: Rest | None = None
+    zero_load: ZeroLoadPosition, rest: BodyRest, lines: Lines, zero: BodyRest | None = None
 ) -> Response:
     """Sum a place of rest up; the offset is from `zero`, by default the zero-load position."""
     start = zero_load.neutral if zero is None else zero
@@ -144,10 +142,9 @@ class _OnLines:
         neutral = self.neutral
         return self._of(*self.start.held(neutral[0] + x, neutral[1] + y))
 
-    def _of(self, rest: Rest, lines: Lines) -> Loaded:
-        pull = rest.pull
-        stiffness = ((pull.xx, pull.xy), (pull.xy, pull.yy))
-        return Loaded(response_of(self.start, rest, lines), (pull.x, pull.y), stiffness)
+    def _of(self, rest: BodyRest, lines: Lines) -> Loaded:
+        (x, y, _), ((xx, xy, _), (yx, yy, _), _) = rest.pull, rest.stiffness
+        return Loaded(response_of(self.start, rest, lines), (x, y), ((xx, xy), (yx, yy)))
 
 
 @dataclass(frozen=True)

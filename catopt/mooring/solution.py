@@ -20,10 +20,8 @@ from catopt.largest import first_largest
 from catopt.model.kinds import Angle, Moment, NotNegative, Place, SomeForce, Stiffness
 from catopt.model.network import Network
 from catopt.model.system import Leg, System
-from catopt.mooring.balance import Lines
-from catopt.mooring.descent import Rest
 from catopt.mooring.network_rest import LinesAtRest, PlacedLoad, Position
-from catopt.mooring.static_equilibrium import ZeroLoadPosition, is_held, zero_load_position
+from catopt.mooring.zero_load import BodyRest, Lines, ZeroLoadPosition, zero_load_position
 from catopt.records import Counted, From, Record
 from catopt.words import Message
 
@@ -283,13 +281,13 @@ def solve_system(system: System | Network) -> SystemSolution | LinesAtRest:
 
 
 def solution_at(
-    zero_load: ZeroLoadPosition, rest: Rest, lines: Lines, *, looks_round: bool = True
+    zero_load: ZeroLoadPosition, rest: BodyRest, lines: Lines, *, looks_round: bool = True
 ) -> SystemSolution:
     """Lay out every line with the body at a place of rest; `looks_round` for other headings."""
-    system, neutral, pull = zero_load.system, zero_load.neutral, rest.pull
-    others: tuple[Rest, ...] = ()
+    system, neutral = zero_load.system, zero_load.neutral
+    others: tuple[BodyRest, ...] = ()
     if looks_round:
-        others = zero_load.other_headings(rest, lines, system.force, system.moment)
+        others = zero_load.other_headings(rest, system.force, system.moment)
     states = tuple(
         _leg_state(leg, rest, system.seabed_friction, (lines.H[k], lines.V[k]), k)
         for k, leg in enumerate(system.legs)
@@ -299,11 +297,7 @@ def solution_at(
         position=Position(rest.x, rest.y, rest.yaw),
         neutral=Position(neutral.x, neutral.y, neutral.yaw),
         lines=states,
-        full_stiffness=(
-            (pull.xx, pull.xy, pull.xm),
-            (pull.xy, pull.yy, pull.ym),
-            (pull.xm, pull.ym, pull.mm),
-        ),
+        full_stiffness=rest.stiffness,
         residual=SystemResidual(rest.force_error, rest.moment_error),
         steps=rest.steps,
         warnings=_warnings(zero_load, rest, states, others),
@@ -311,7 +305,7 @@ def solution_at(
 
 
 def _leg_state(
-    leg: Leg, rest: Rest, friction: float, known: tuple[float, float], index: int
+    leg: Leg, rest: BodyRest, friction: float, known: tuple[float, float], index: int
 ) -> LegState:
     cosine, sine = math.cos(rest.yaw), math.sin(rest.yaw)
     arm_x, arm_y = leg.fairlead
@@ -342,14 +336,17 @@ def _leg_state(
 
 
 def _warnings(
-    zero_load: ZeroLoadPosition, rest: Rest, states: tuple[LegState, ...], others: tuple[Rest, ...]
+    zero_load: ZeroLoadPosition,
+    rest: BodyRest,
+    states: tuple[LegState, ...],
+    others: tuple[BodyRest, ...],
 ) -> tuple[str, ...]:
     found = [
         of_line(index + 1, warning)
         for index, state in enumerate(states)
         for warning in state.solution.warnings
     ]
-    if not is_held(rest.pull, zero_load.freedom):
+    if not zero_load.is_held(rest):
         found.insert(0, Message("mooring.drifts"))
     for other in others:
         x, y = (f"{round(each, 3) + 0.0:.3f}" for each in (other.x, other.y))

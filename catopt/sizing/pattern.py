@@ -25,11 +25,9 @@ from catopt.loads.sinker import (
 )
 from catopt.model import Anchor, Case, DesignLoad, Line, SinkerChoice, System
 from catopt.model.kinds import Angle, Findings, Force, Height, SomeForce
-from catopt.mooring.balance import Lines
 from catopt.mooring.case import load_sharing_factor
-from catopt.mooring.descent import Rest
 from catopt.mooring.solution import SystemSolution, solution_at
-from catopt.mooring.static_equilibrium import ZeroLoadPosition, zero_load_position
+from catopt.mooring.zero_load import BodyRest, Lines, ZeroLoadPosition, zero_load_position
 from catopt.records import Counted, From, Record
 from catopt.sizing.kinds import usual
 from catopt.words import Message, Sentence
@@ -377,7 +375,7 @@ class _Under(NamedTuple):
     """The body at rest under the force towards an angle, counter-clockwise from line 1, rad."""
 
     towards: float
-    rest: Rest
+    rest: BodyRest
     lines: Lines
     offset: float  # from where it rests with all lines and no load, m
 

@@ -43,7 +43,7 @@ from catopt.floater.two_scales import (
 )
 from catopt.model import Case, System
 from catopt.model.dynamics import Dynamics
-from catopt.mooring.static_equilibrium import zero_load_position
+from catopt.mooring.zero_load import zero_load_position
 from catopt.progress import Progress
 from catopt.verify.convergence_check import LIMIT, Change
 from catopt.verify.dynamic_setup import Excitation, read_drive

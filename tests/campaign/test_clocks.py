@@ -23,7 +23,7 @@ from catopt import compiled, progress
 from catopt.__main__ import main
 from catopt.catenary import batch
 from catopt.design import search
-from catopt.mooring import static_equilibrium
+from catopt.mooring import zero_load
 from catopt.report import bundle as files
 from catopt.study import run as study_run
 
@@ -107,7 +107,7 @@ def with_jumps(seed: int, folder: Path, patch: pytest.MonkeyPatch) -> dict[str, 
     patch.setattr(files, "time", jumping(seed, time.time, back=True))
     patch.setattr(time, "time", jumping(seed, time.time, back=True))
     passing = jumping(seed, time.perf_counter, back=False)
-    for part in (progress, static_equilibrium, batch, study_run):
+    for part in (progress, zero_load, batch, study_run):
         patch.setattr(part, "perf_counter", passing)
     assert vars(search)["time"] is time
     patch.setattr(time, "perf_counter", passing)

@@ -14,7 +14,7 @@ from catopt.checks.system import check_system
 from catopt.model import System
 from catopt.mooring.case import one_line_out
 from catopt.mooring.solution import solve_system
-from catopt.mooring.static_equilibrium import zero_load_position
+from catopt.mooring.zero_load import zero_load_position
 
 CASE = Path("cases/design-turret-56m/case.toml")
 FORCE = 4_281e3

@@ -9,8 +9,7 @@ import pytest
 import catopt
 from catopt.floater.line_tables import span_under, tables_of, tabulated
 from catopt.model import Line, Segment, System
-from catopt.mooring.batch import as_arrays
-from catopt.mooring.static_equilibrium import zero_load_position
+from catopt.mooring.zero_load import net_of
 
 CHAIN = Segment(length=250.0, submerged_weight=1800.0, EA=8e8)
 LINE = Line((CHAIN,))
@@ -18,7 +17,7 @@ LINE = Line((CHAIN,))
 
 def tables(way: float) -> object:
     system = System.around(LINE, azimuths=(math.pi,), anchor_radius=240.0, fairlead_height=22.0)
-    return tables_of(as_arrays(zero_load_position(system).arrangement), way)
+    return tables_of(net_of(system), way)
 
 
 @pytest.mark.parametrize("height", [19.3, 22.0, 24.1])

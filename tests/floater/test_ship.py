@@ -31,8 +31,8 @@ from catopt.loads import (
 from catopt.loads.environment import Headings
 from catopt.loads.weathervane import YAW_TYPES
 from catopt.model import ShipAfloat
-from catopt.mooring.balance import room_for
-from catopt.mooring.batch import as_arrays
+from catopt.mooring.net import room_for
+from catopt.mooring.under_loads import as_arrays
 from catopt.waves import Waves, jonswap, random_waves, regular_wave
 from catopt.waves.random_surface import fill_wave_numbers
 
@@ -256,10 +256,9 @@ def unmoved(**own: Any) -> SlowShip:
 
 
 def rated(moored: MooredShip, slow: SlowShip, state: list[float]) -> np.ndarray:
-    out, lines = np.empty(6), as_arrays(room_for(8))
-    arrangement = as_arrays(moored.zero_load.arrangement)
-    tables = as_arrays(no_tables())
-    assert rates(0.0, np.array(state), slow, arrangement, tables, lines, out) == -1
+    net, tables, out = moored.zero_load.net, as_arrays(no_tables()), np.empty(6)
+    known = as_arrays(room_for(net))
+    assert rates(0.0, np.array(state), slow, as_arrays(net), tables, known, out) == -1
     return out
 
 
@@ -364,7 +363,7 @@ def test_a_swing_grows_at_the_rate_of_the_linearised_ship() -> None:
     moored = MooredShip(system, ship(of, current=(2.5, 0.0)))
     rest = moored.at_rest(calm())
     slow = moored._steady(calm(), rest)
-    mode = swing_mode(linearised(slow, moored._arrangement, rest.place))
+    mode = swing_mode(linearised(slow, moored.zero_load.net, rest.place))
     assert mode.period is not None
     assert mode == moored.mode(calm(), rest)
     cycle = int(mode.period)

@@ -38,9 +38,9 @@ from catopt.hydro.coefficients import Coefficients
 from catopt.loads import SeaState, SurfaceCurrent, Wind, ship_loads
 from catopt.loads.environment import Headings
 from catopt.model import ShipAfloat
-from catopt.mooring.balance import room_for
-from catopt.mooring.batch import as_arrays
-from catopt.mooring.static_equilibrium import zero_load_position
+from catopt.mooring.net import room_for
+from catopt.mooring.under_loads import as_arrays
+from catopt.mooring.zero_load import net_of
 from catopt.waves import Waves, regular_wave
 
 DEPTH, RHO, G = 60.0, 1025.0, 9.80665
@@ -66,7 +66,7 @@ def one_line(line: Line = CHAIN) -> System:
 
 
 def arranged(system: System) -> Any:
-    return as_arrays(zero_load_position(system).arrangement)
+    return as_arrays(net_of(system))
 
 
 def slow_ship(**own: Any) -> SlowShip:
@@ -86,8 +86,9 @@ def accelerated(ship: SlowShip, at: float, state: list[float], radius: float = 0
     found = []
     for each in (ship, slow_ship(turns=ship.turns)):
         out = np.empty(6)
-        lines, room = arranged(spread(radius)), as_arrays(room_for(4))
-        assert rates(at, np.array(state), each, lines, as_arrays(no_tables()), room, out) == -1
+        net, tables = arranged(spread(radius)), as_arrays(no_tables())
+        known = as_arrays(room_for(net))
+        assert rates(at, np.array(state), each, net, tables, known, out) == -1
         found.append(np.linalg.solve(ship.inverse, out[3:]))
     return np.asarray(found[0] - found[1])
 
@@ -109,15 +110,15 @@ def test_a_ship_that_leaves_the_headings_of_her_drift_is_told_of() -> None:
     """Of headings 70, 71, 0 and 1 alone: from 350 deg up to 5 deg as with all of them."""
     drift = np.arange(9.0 * HEADINGS).reshape(3, HEADINGS, 3) ** 2
     part = slow_ship(drift=np.ascontiguousarray(drift[:, [70, 71, 0, 1]]), first=70)
-    lines, room, none = arranged(spread()), as_arrays(room_for(4)), as_arrays(no_tables())
-    out = np.empty(6)
+    net, none, out = arranged(spread()), as_arrays(no_tables()), np.empty(6)
+    known = as_arrays(room_for(net))
     for degrees in (-9.0, -1.0, 4.0):
         state = [0.0, 0.0, math.radians(degrees), 0.0, 0.0, 0.0]
         whole = accelerated(slow_ship(drift=drift), 0.5, state)
         assert accelerated(part, 0.5, state) == pytest.approx(whole, rel=1e-9)
     for degrees in (-11.0, 6.0):
         state = [0.0, 0.0, math.radians(degrees), 0.0, 0.0, 0.0]
-        assert rates(0.5, np.array(state), part, lines, none, room, out) == BEYOND
+        assert rates(0.5, np.array(state), part, net, none, known, out) == BEYOND
 
 
 def test_wind_is_even_between_samples_and_blows_past_what_moves() -> None:
@@ -165,12 +166,12 @@ def test_her_lines_pull_as_the_solver_of_one_line_has_it() -> None:
         force, moment = force + pull, moment + (arm.conjugate() * pull).imag
         tension.append((known.fairlead.tension, known.anchor.tension))
     expected = [force.real, force.imag, moment]
-    arrangement, out = arranged(system), np.empty(3)
-    none, room = as_arrays(no_tables()), as_arrays(room_for(4))
-    assert restore(x, y, yaw, arrangement, none, room, out) == -1
+    net, out = arranged(system), np.empty(3)
+    none, known = as_arrays(no_tables()), as_arrays(room_for(net))
+    assert restore(x, y, yaw, net, none, known, out) == -1
     assert out == pytest.approx(expected, rel=1e-8)
-    tables = tables_of(arrangement, 5.0)
-    assert restore(x, y, yaw, arrangement, tables, room, out) == -1
+    tables = tables_of(net, 5.0)
+    assert restore(x, y, yaw, net, tables, known, out) == -1
     # A table is 2e-3 of the closed form of each line, whose pulls are all but opposite.
     size = 2e-3 * max(each for each, _ in tension)
     assert out[:2] == pytest.approx(expected[:2], abs=size)
@@ -178,45 +179,46 @@ def test_her_lines_pull_as_the_solver_of_one_line_has_it() -> None:
     hung = np.empty((1, 4, 2))
     path, ways = np.array([[x, y, yaw]]), np.zeros((1, 4, 3))
     for given, near in ((none, 1e-8), (tables, 2e-3)):
-        assert hang_lines(path, ways, True, arrangement, given, hung) == (1, -1)
+        assert hang_lines(path, ways, True, net, given, hung) == (1, -1)
         assert hung[0] == pytest.approx(np.array(tension), rel=near)
 
 
 @pytest.mark.parametrize("with_tables", [False, True])
 def test_waves_move_each_fairlead_off_its_place(with_tables: bool) -> None:
     """1 m out, 2 m aside and 3 m up beside `catopt.solve`; what turns freely keeps its arms."""
-    arrangement = arranged(one_line())
-    tables = tables_of(arrangement, 5.0) if with_tables else as_arrays(no_tables())
+    net = arranged(one_line())
+    tables = tables_of(net, 5.0) if with_tables else as_arrays(no_tables())
     path, ways = np.array([[3.0, 1.0, 0.7], [0.0, 0.0, 0.0]]), np.zeros((2, 1, 3))
     ways[0, 0] = 1.0, 2.0, 3.0
     out = np.empty((2, 1, 2))
-    assert hang_lines(path, ways, False, arrangement, tables, out) == (2, -1)
+    assert hang_lines(path, ways, False, net, tables, out) == (2, -1)
     for found, span, height in zip(
         out[:, 0], (math.hypot(884.0, 3.0), 880.0), (63.0, 60.0), strict=True
     ):
         known = catopt.solve(CHAIN, height=height, span=span)
         near = 2e-3 if with_tables else 1e-8
         assert found == pytest.approx([known.fairlead.tension, known.anchor.tension], rel=near)
-    arrangement = arranged(one_line(STIFF))
-    tables = tables_of(arrangement, 5.0) if with_tables else tables
+    net = arranged(one_line(STIFF))
+    tables = tables_of(net, 5.0) if with_tables else tables
     far = np.array([[0.0, 0.0, 0.0], [60.0, 0.0, 0.0]])
-    assert hang_lines(far, ways, False, arrangement, tables, out) == (1, 0)
+    assert hang_lines(far, ways, False, net, tables, out) == (1, 0)
 
 
 def test_steps_are_those_of_another_solver_of_equations() -> None:
     """Beside scipy's DOP853 to 1e-12: four steps of 1 s of a motion of minutes are at 1e-8."""
-    lines, room, none = arranged(spread()), as_arrays(room_for(4)), as_arrays(no_tables())
+    net, none = arranged(spread()), as_arrays(no_tables())
+    room = as_arrays(room_for(net))
     damping = np.array([1e6, 2e6, 5e9])
     drift = np.zeros((5, HEADINGS, 3))
     drift[:, :, 0] = np.array([0.0, 3e5, 6e5, 9e5, 12e5])[:, np.newaxis]
     ship = slow_ship(damping=damping, crossflow=3e4, drift=drift, wind=np.zeros((5, 2)))
     path = np.zeros((5, 6))
     path[0] = 6.0, -4.0, 0.03, 0.5, -0.3, 0.002
-    assert step_slowly(1.0, ship, lines, none, room, np.zeros((5, 6)), path) == (4, -1)
+    assert step_slowly(1.0, ship, net, none, room, np.zeros((5, 6)), path) == (4, -1)
 
     def slope(t: float, state: np.ndarray) -> np.ndarray:
         out = np.empty(6)
-        assert rates(min(t, 4.0), state, ship, lines, none, room, out) == -1
+        assert rates(min(t, 4.0), state, ship, net, none, room, out) == -1
         return out
 
     known = solve_ivp(slope, (0.0, 4.0), path[0], "DOP853", range(5), rtol=1e-12, atol=1e-12)
@@ -227,13 +229,14 @@ def test_a_line_that_does_not_reach_stops_the_steps_and_the_run() -> None:
     """The first line, too; the message says which, and when."""
     weather = ShipInWeather(OF, DEPTH, RHO)
     moored = MooredShip(one_line(STIFF), weather)
-    arrangement, room = arranged(one_line(STIFF)), as_arrays(room_for(1))
+    net = arranged(one_line(STIFF))
+    room = as_arrays(room_for(net))
     path = np.zeros((4, 6))
     path[0, 0] = 60.0
     found = step_slowly(
         1.0,
         slow_ship(turns=False),
-        arrangement,
+        net,
         as_arrays(no_tables()),
         room,
         np.zeros((5, 6)),

@@ -14,7 +14,7 @@ from catopt.errors import NoAnswerError
 from catopt.loads import WaterLevels
 from catopt.model import LoadCase
 from catopt.mooring.solution import SystemSolution
-from catopt.mooring.static_equilibrium import ZeroLoadPosition, zero_load_position
+from catopt.mooring.zero_load import ZeroLoadPosition, zero_load_position
 from catopt.sizing import LineChoice, Sizing, TankerRequest
 from catopt.sizing.kinds import usual
 from catopt.sizing.pattern import AtRest, BodyState, Pattern, pattern, shared_force, system_case
