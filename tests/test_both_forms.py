@@ -6,7 +6,8 @@ import ast
 import os
 import subprocess
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -15,7 +16,7 @@ import numpy as np
 import pytest
 
 import catopt
-from catopt import Line, PointLoad, Segment, read_case, solve_many
+from catopt import Line, PointLoad, Segment, System, read_case, solve_many
 from catopt.compile_jobs import _afloat as compile_afloat
 from catopt.compile_jobs import _ship as compile_ship
 from catopt.compiled import VARIABLE
@@ -39,6 +40,7 @@ from catopt.fem.linear_motion import linear_motion
 from catopt.fem.mesh import mesh_line
 from catopt.fem.series import series_rows, series_values
 from catopt.floater import alone, two_scales  # noqa: F401 - before their `compiled` is watched
+from catopt.model import Leg
 from catopt.mooring import under_loads
 from catopt.mooring.batch import solve_system_many
 from catopt.mooring.fixed_body import at_rest
@@ -94,16 +96,28 @@ def systems() -> None:
     """Nine lines of a tanker under forces from no force to more than they bear."""
     system = read_case(CASES / "fso-rang-dong" / "case.toml").system
     assert system is not None
-    solve_system_many(system, force=[[-4e6 * k / 10, 1e5] for k in range(12)])
+    with as_arrays():
+        solve_system_many(system, force=[[-4e6 * k / 10, 1e5] for k in range(12)])
+        # One line on an arm: it turns over, goes round, or rests.
+        leg = Leg(CHAIN, 0.3, 280.0, 80.0, fairlead_radius=20.0)
+        moments = [0.0, 1.9e6, -2.1e6]
+        solve_system_many(System((leg,)), force=[(1e5, 0.0)] * 3, moment=moments)
 
 
 def networks() -> None:
-    """Joints and bodies: bed, friction, a body that turns; as arrays, as compiled code has them."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(under_loads, "is_compiled", lambda _: True)
+    """Joints and bodies: bed, friction, a body that turns."""
+    with as_arrays():
         for seed in (5, 16, 17):
             at_rest(drawn(seed))
         at_rest(read_case(PACKAGE.parent / "tests/answers/cases/points-and-body.toml"))
+
+
+@contextmanager
+def as_arrays() -> Iterator[None]:
+    """Hand lines between points on as arrays, as compiled code has them."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(under_loads, "is_compiled", lambda _: True)
+        yield
 
 
 def designs() -> None:
