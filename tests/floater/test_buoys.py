@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -15,7 +16,7 @@ from catopt.hydro import build
 from catopt.hydro.build import Radiation
 from catopt.hydro.cylinder import FloatingCylinder
 from catopt.loads.buoy_heel import slices_of
-from catopt.model import Floater
+from catopt.model import Floater, HullAfloat
 
 
 @pytest.fixture(autouse=True)
@@ -153,6 +154,21 @@ def test_what_hangs_below_a_hull_adds_what_it_displaces() -> None:
     assert pushed[0] == pytest.approx(along @ mass)
     assert pushed[2] == pytest.approx(along @ (mass * arm))
     assert pushed[1] == 0.0
+
+
+@pytest.mark.parametrize("name", ["hull.h5", "hull.dat", "hull.mat"])
+@pytest.mark.parametrize("is_there", [True, False])
+def test_coefficients_of_another_program_are_refused(
+    tmp_path: Path, name: str, is_there: bool
+) -> None:
+    """What no reader knows is named whether it is there or not; an unknown stem may be WAMIT's."""
+    if is_there:
+        (tmp_path / name).write_text("1 2 3")
+    of = HullAfloat(str(tmp_path / name), 1e6, (0.0, 0.0, 0.0), (1.0, 1.0, 1.0), 1.0)
+    with pytest.raises(InputError) as caught:
+        hulls._read(of, 1025.0)
+    known = not is_there and name == "hull.dat"
+    assert caught.value.problems[0].key == ("files" if known else "floater.hull.file")
 
 
 @pytest.mark.parametrize(

@@ -56,6 +56,19 @@ def sphere() -> LinearBody:
     return LinearBody(known, only(HEAVE, 261.8e3), only(HEAVE, FRESH * G * math.pi * 25.0))
 
 
+def test_coefficients_are_even_between_frequencies_and_held_beyond() -> None:
+    """Half way, at a row, before the first and after the last, of a table of three and of one."""
+    A = np.array([1.0, 3.0, 9.0])[:, np.newaxis, np.newaxis] * np.ones((6, 6))
+    body = LinearBody(
+        Coefficients(np.array([1.0, 2.0, 4.0]), np.zeros(1), A, 10.0 * A), np.eye(6), np.eye(6)
+    )
+    omega = np.array([1.5, 2.0, 3.0, 0.1, 7.0])
+    assert body.added_mass(omega)[:, 2, 4].tolist() == [2.0, 3.0, 6.0, 1.0, 9.0]
+    assert body.radiation_damping(omega)[:, 0, 0].tolist() == [20.0, 30.0, 60.0, 10.0, 90.0]
+    one = LinearBody(Coefficients(np.array([1.0]), np.zeros(1), A[:1], A[:1]), np.eye(6), np.eye(6))
+    assert one.added_mass(omega)[:, 1, 1].tolist() == [1.0] * 5
+
+
 def test_sphere_falls_as_in_the_viscous_computation() -> None:
     """CFD of NREL, drop of 1 m: rms over 13 s, four peaks and their times."""
     step = 0.01
