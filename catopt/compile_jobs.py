@@ -49,31 +49,12 @@ def _lines() -> None:
 
 
 def _bodies() -> None:
-    """Many loads on one body."""
+    """Many loads on one body: what brings joints to rest, too."""
     from catopt.mooring.batch import solve_system_many
 
     system = _template("system").system
     assert system is not None
     solve_system_many(system, force=[[0.0, 0.0], [1e4, 0.0]])
-
-
-def _points() -> None:
-    """Lines between points, with a joint and a body."""
-    from catopt.model import Line, Segment, Site
-    from catopt.model.network import LineBetween, MooredBody, Network, Point
-    from catopt.mooring.fixed_body import at_rest
-
-    chain = Line((Segment(60.0, 500.0, EA=1e8),))
-    places = [("west", -50.0, 0.0), ("east", 50.0, 0.0), ("north", 0.0, 50.0)]
-    anchors = [Point(name, "anchor", x, y, 0.0) for name, x, y in places]
-    points = (
-        *anchors,
-        Point("joint", "joint"),
-        Point("bow", "fairlead", 5.0, 0.0, 30.0, body="barge"),
-    )
-    names = [*(name for name, _, _ in places), "bow"]
-    lines = tuple(LineBetween(chain, name, "joint") for name in names)
-    at_rest(Network(Site(30.0), points, lines, bodies=(MooredBody("barge"),)))
 
 
 def _designs() -> None:
@@ -174,7 +155,6 @@ JOBS: Mapping[str, Callable[[], None]] = MappingProxyType(
     {
         "many lines": _lines,
         "bodies of several lines": _bodies,
-        "lines between points": _points,
         "design search": _designs,
         "waves": _waves,
         "truss model at rest": _at_rest,
