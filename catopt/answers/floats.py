@@ -55,11 +55,30 @@ def _moved_tables(rest: LinesInCurrent) -> Iterator[blocks.Table]:
         )
 
 
+def _moved(rest: LinesInCurrent) -> Message:
+    """Say of the one joint where a current takes it."""
+    ((still, point),) = (
+        both
+        for both in zip(rest.still_places, rest.points, strict=True)
+        if both[1].of.kind == "joint"
+    )
+    lengths = {
+        "z": point.place[2],
+        "still": still[2],
+        "aside": math.dist(still[:2], point.place[:2]),
+    }
+    measures = {key: Measure("height", value) for key, value in lengths.items()}
+    return Message("mooring.joint_lies", name=point.of.name, **measures)
+
+
 def floats_on_card(rest: LinesAtRest) -> Iterator[blocks.CardBlock]:
     """Say of one float in a sentence how far a current knocks it down; of several in a table."""
     for table in floats_tables(rest):
-        if table.length > 1 or not rest.network.has_lone_floats:
+        if table.length > 1:
             yield table
+            continue
+        if not rest.network.has_lone_floats:
+            yield blocks.Text(_moved(cast("LinesInCurrent", rest)))
             continue
         (line,), (still,) = rest.lines, cast("FloatsInCurrent", rest).heights
         values = {

@@ -386,8 +386,7 @@ def network_answer(
         ),
     )
     *_, shapes = places_tables(rest)
-    # Then the floats are its joints.
-    in_current = network.current_at_rest is not None and network.has_lone_floats
+    in_current = network.current_at_rest is not None  # then its joints are said by how they move
     card: tuple[blocks.CardBlock, ...] = (
         *buoyancy_on_card(rest),
         *verdict_blocks(checks),
