@@ -11,8 +11,10 @@ import pytest
 from catopt import NoEquilibriumError, System, solve, solve_system
 from catopt.model import Leg
 from catopt.mooring.batch import solve_system_many
+from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.solution import SystemSolution
 from tests.mooring.layouts import CHAIN, fso
+from tests.mooring.test_bodies import as_points
 
 FORCE, ARM = 1e5, 20.0
 MOST = FORCE * ARM
@@ -48,6 +50,15 @@ def test_one_line_on_an_arm_holds_every_moment_below_force_times_arm(
         0.0, abs=1e-9
     )
     assert not any("rest at" in warning for warning in solution.warnings)
+
+
+@pytest.mark.parametrize("share", [-0.95, -0.2, 0.2, 0.95, 0.9999])
+def test_a_body_on_points_goes_round_to_the_heading_that_holds_it(share: float) -> None:
+    """By the same lever: the force along x comes from where the line is, which holds it behind."""
+    (body,) = at_rest(as_points(on_an_arm(share * MOST), 60.0)).bodies
+    azimuth = math.pi + math.asin(share) - math.radians(16.0)
+    off = math.remainder(body.position.yaw - azimuth, 2.0 * math.pi)
+    assert off == pytest.approx(0.0, abs=1e-7)
 
 
 def test_many_loads_find_what_one_load_finds() -> None:
