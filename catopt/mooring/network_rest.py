@@ -155,7 +155,7 @@ class PointAtRest(NamedTuple):
 class FloatAtRest(Record):
     """A joint that floats up: what its lines use of its buoyancy."""
 
-    DOCUMENT = "name buoyancy used=buoyancy_used left=buoyancy_left under draught freeboard"
+    DOCUMENT = "name buoyancy used=buoyancy_used_N left=buoyancy_left_N under draught freeboard"
 
     of: Point
     lost: float

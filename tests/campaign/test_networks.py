@@ -11,7 +11,7 @@ import pytest
 from catopt.errors import NoEquilibriumError
 from catopt.mooring.fixed_body import at_rest
 from tests.campaign.network_check import faults_of_answer, faults_of_refusal, judge
-from tests.campaign.networks import drawn
+from tests.campaign.networks import drawn, drawn_afloat
 
 
 @pytest.mark.parametrize("seed", [0, 3, 10, 13, 18, 19])
@@ -22,6 +22,17 @@ def test_each_answer_balances(seed: int) -> None:
 @pytest.mark.slow
 def test_many() -> None:
     assert {seed: faults for seed in range(0, 60, 2) if (faults := judge(seed)[1])} == {}
+
+
+@pytest.mark.parametrize("seed", [3, 13, 18])
+def test_each_answer_with_floats_at_the_surface_balances(seed: int) -> None:
+    assert judge(seed, drawn_afloat) == ("answered", [])
+
+
+@pytest.mark.slow
+def test_many_with_floats_at_the_surface() -> None:
+    seeds = range(0, 300, 3)
+    assert {seed: faults for seed in seeds if (faults := judge(seed, drawn_afloat)[1])} == {}
 
 
 def test_a_joint_that_is_off_its_place_is_seen() -> None:
