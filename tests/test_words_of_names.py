@@ -60,3 +60,30 @@ def test_what_stays_is_there() -> None:
     names = {name for file in FILES for name in shared_names(file)}
     methods = {"not_judged"}  # a column of documents
     assert names | methods >= STAYS
+
+
+CHANGES = {"append", "add", "clear", "extend", "insert", "pop", "update", "write", "write_text"}
+
+
+def writes(function: ast.FunctionDef) -> bool:
+    """Whether a function stores into something, or calls what changes it."""
+    for node in ast.walk(function):
+        if isinstance(node, ast.Attribute | ast.Subscript) and isinstance(node.ctx, ast.Store):
+            return True
+        called = node.func if isinstance(node, ast.Call) else None
+        if isinstance(called, ast.Attribute) and called.attr in CHANGES:
+            return True
+    return False
+
+
+def test_a_predicate_does_not_act() -> None:
+    """What begins with is, has, are, can or may answers, and leaves all as it is."""
+    found = [
+        f"{file}: {node.name}"
+        for file in FILES
+        for node in ast.walk(ast.parse(file.read_text("utf-8")))
+        if isinstance(node, ast.FunctionDef)
+        and re.match("_*(is|has|are|can|may)_", node.name)
+        and writes(node)
+    ]
+    assert found == []

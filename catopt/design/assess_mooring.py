@@ -40,7 +40,7 @@ from catopt.design.assess import (
 )
 from catopt.design.tables import MooringTables, Room, Tables
 from catopt.model.anchor import sinker_needed
-from catopt.mooring.heading import settle
+from catopt.mooring.heading import rest_at_heading
 from catopt.mooring.net import GUESS, SPAN, STATE, Known, Net, hang, state_of
 from catopt.mooring.rest import remember
 
@@ -174,7 +174,7 @@ def _in_all_states(
     x, y = free.q[0], free.q[1]
     if search.is_bounded and status == CONVERGED:
         far = least_offset(forces, tables, problem, _longest_span(net, free))
-        if _is_needless(far, 0.0, line, search, objectives):
+        if _prove_needless(far, 0.0, line, search, objectives):
             return _Found(LEAST_OFFSET, -math.inf, math.nan, 0.0, 0)
     worst, largest, anchor_load = -math.inf, 0.0, 0.0
     for state in range(tables.first[layout], tables.first[layout + 1]):
@@ -200,7 +200,7 @@ def _in_all_states(
         off_x, off_y = loaded.q[0] - x, loaded.q[1] - y
         largest = max(largest, math.sqrt(off_x * off_x + off_y * off_y))
         anchor_load = max(anchor_load, pull)
-        if search.is_bounded and _is_needless(largest, anchor_load, line, search, objectives):
+        if search.is_bounded and _prove_needless(largest, anchor_load, line, search, objectives):
             return _Found(OFFSET_SO_FAR, worst, math.nan, 0.0, 0)
     return _Found(NONE, worst, largest, anchor_load, 0)
 
@@ -221,7 +221,7 @@ def _unloaded(
         net.pull[i] = free.q[i] = 0.0
     for i in range(GUESS * net.used[0]):
         free.guess[i] = math.nan
-    found = settle(net, free, hang(net, free, False))
+    found = rest_at_heading(net, free, hang(net, free, False))
     remember(net, free)
     return found.status
 
@@ -242,7 +242,7 @@ def _under_load(
     force, direction = tables.force[state], tables.direction[state]
     net.pull[0], net.pull[1] = force * math.cos(direction), force * math.sin(direction)
     net.pull[2] = tables.moment / net.scale[2]
-    return settle(net, loaded, (CONVERGED, -1)).status
+    return rest_at_heading(net, loaded, (CONVERGED, -1)).status
 
 
 @inlined
@@ -290,10 +290,10 @@ def _of_lines(
 
 
 @inlined
-def _is_needless(
+def _prove_needless(
     offset: float, anchor_load: float, line: Tables, search: Search, objectives: Any
 ) -> bool:
-    """Whether a design of at least some offset and load of an anchor is beaten by a known one."""
+    """Write the least that a design has, by its offset and anchor load; whether that is beaten."""
     least = search.least
     for column in range(len(search.columns)):
         least[column] = objectives[search.columns[column]]

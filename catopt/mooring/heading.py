@@ -53,7 +53,7 @@ class Heading(NamedTuple):
     largest: float
 
 
-def settle(net: Net, known: Known, hung: tuple[int, int]) -> Found:
+def rest_at_heading(net: Net, known: Known, hung: tuple[int, int]) -> Found:
     """Bring all to rest, one body that turns at the first stable heading its load turns it to.
 
     As `rest`; TURNS_OVER, with the least moment left over the arm of the yaw (N), when no heading
@@ -159,7 +159,7 @@ def _first_heading(turning: int, net: Net, known: Known) -> Found:
 def next_heading(net: Net, known: Known, way: float) -> Found:
     """Find the next stable heading counter-clockwise of where all is, no farther than `way` rad on.
 
-    As `settle`.
+    As `rest_at_heading`.
     """
     turning = turning_of(net)
     here = _with_left(_pinned(turning, net, known), 0.0)

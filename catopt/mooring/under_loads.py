@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, Final, NamedTuple
 
 from catopt.compiled import compiled, is_compiled
-from catopt.mooring.heading import settle
+from catopt.mooring.heading import rest_at_heading
 from catopt.mooring.net import FORCES, GROUNDED, SPAN, STATE, WHOLE, Known, Net, hang
 
 PER_LINE: Final = FORCES + 2
@@ -42,7 +42,7 @@ def rest_under_each(loads: Any, net: Net, start: Known, known: Known, under: Und
             net.pull[i], known.q[i] = loads[m * n + i], start.q[i]
         known.place[:], known.lever[:] = start.place, start.lever
         known.state[:], known.guess[:], known.force[:] = start.state, start.guess, start.force
-        found = settle(net, known, hung)
+        found = rest_at_heading(net, known, hung)
         under.codes[3 * m], under.codes[3 * m + 1] = found.status, found.number
         under.codes[3 * m + 2], under.left[m] = found.steps, found.left
         for i in range(n):

@@ -16,7 +16,7 @@ from catopt.catenary.pieces import Pieces, cut
 from catopt.catenary.state import CONVERGED, NOT_CONVERGED, TOO_SHORT
 from catopt.errors import CatoptError, NoEquilibriumError, NotConvergedError
 from catopt.model.system import System
-from catopt.mooring.heading import next_heading, settle
+from catopt.mooring.heading import next_heading, rest_at_heading
 from catopt.mooring.net import FREE, PINNED, TURNS, Known, Net, hang, room_for, state_of
 from catopt.mooring.rest import TURNS_OVER, Found, remember
 from catopt.progress import expect
@@ -115,7 +115,7 @@ class ZeroLoadPosition:
     def under(self, force: Sequence[float], moment: float = 0.0) -> tuple[BodyRest, Lines]:
         """Bring the body to rest under a load, N and N m; errors as for `solve_system`."""
         net, known = self._under(force, moment), _copied(self.known)
-        found = settle(net, known, (CONVERGED, -1))
+        found = rest_at_heading(net, known, (CONVERGED, -1))
         if found.status == TURNS_OVER:
             raise _turns_over(moment, found.left * net.scale[2])
         return _checked(found, self.system, net, known), lines_of(net, known)
@@ -161,7 +161,7 @@ class ZeroLoadPosition:
         net = self.net._replace(pull=[0.0] * 3, kind=[PINNED, PINNED, self.net.kind[2]])
         known = _copied(self.known)
         known.q[:2] = x, y
-        found = settle(net, known, hang(net, known, False))
+        found = rest_at_heading(net, known, hang(net, known, False))
         return _checked(found, self.system, net, known), lines_of(net, known)
 
     def is_held(self, rest: BodyRest) -> bool:
@@ -243,7 +243,7 @@ def zero_load_position(system: System) -> ZeroLoadPosition:
     net = net_of(system)
     known = room_for(net)
     known.q[:2] = _reachable(system)
-    neutral = _checked(settle(net, known, hang(net, known, False)), system, net, known)
+    neutral = _checked(rest_at_heading(net, known, hang(net, known, False)), system, net, known)
     remember(net, known)
     return ZeroLoadPosition(system, net, known, neutral)
 
