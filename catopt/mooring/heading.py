@@ -42,7 +42,7 @@ class Heading(NamedTuple):
 
     `left` is the moment that nothing balances, over the arm of the yaw (N), above 0 where it turns
     the body on; `stiffness` says by how much it falls as the body turns, N; `largest` is the
-    largest end force of a line, N.
+    largest end force of a line in plan, N.
     """
 
     yaw: float
@@ -174,7 +174,15 @@ def _pinned(turning: int, net: Net, known: Known) -> Heading:
     net.kind[turning] = PINNED
     for i in range(len(net.pull)):
         known.follow[i] = 0.0
-    return _at(turning, known.q[turning] / net.scale[turning], 1.0, TOLERANCE, net, known)
+    yaw = known.q[turning] / net.scale[turning]
+    here = _at(turning, yaw, 1.0, TOLERANCE, net, known)
+    if (
+        here.status == NOT_CONVERGED
+        and _is_stiff(net)
+        and _by_parts(net, known).status == CONVERGED
+    ):
+        here = _at(turning, yaw, 1.0, TOLERANCE, net, known)
+    return here
 
 
 @inlined
@@ -351,4 +359,4 @@ def _at(
         known.follow[i] = known.way[i]
         stiffness += known.stiffness[turning * n + i] * known.way[i]
     add_up(net, known)
-    return Heading(yaw, CONVERGED, -1, left, stiffness * arm, known.most[1])
+    return Heading(yaw, CONVERGED, -1, left, stiffness * arm, known.most[2])

@@ -422,7 +422,8 @@ def rest(net: Net, known: Known, hung: tuple[int, int], tolerance: float) -> Fou
     """Step until the forces are in balance, and as long as that still gets better.
 
     From where the freedoms are, of which `hang` said `hung`; `tolerance` as TOLERANCE, or coarser,
-    which then will do. TURNS_OVER, with its freedom: a moment turns a body round once.
+    beside forces in plan, which then will do. TURNS_OVER, with its freedom: a moment turns a body
+    round once.
     """
     length = longest(net)
     for i in range(len(net.pull)):
@@ -439,7 +440,7 @@ def rest(net: Net, known: Known, hung: tuple[int, int], tolerance: float) -> Fou
         if left > most:
             return Found(NOT_CONVERGED, -1, step, left)
         stiffest = _assemble(net, known)
-        if is_rough and left <= _ROUGHLY * largest:
+        if is_rough and left <= max(_ROUGHLY, tolerance) * largest:
             remember(net, known)
             is_rough = False
             status, number = _hang_anew(net, known)
@@ -447,7 +448,7 @@ def rest(net: Net, known: Known, hung: tuple[int, int], tolerance: float) -> Fou
         rounding = ROUNDING * length * stiffest
         limit, little = tolerance * largest + rounding, tolerance * known.most[2] + rounding
         is_enough = tolerance > TOLERANCE or not WORTH_A_STEP * little < left < 0.5 * best
-        if left <= limit and is_enough:
+        if left <= (little if tolerance > TOLERANCE else limit) and is_enough:
             if is_nudged or is_stable(net, known):
                 return Found(CONVERGED, -1, step, left)
             is_nudged, best = True, math.inf

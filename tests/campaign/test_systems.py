@@ -38,9 +38,9 @@ def _is_clean(tally: Tally) -> None:
     assert tally.with_two > 0
 
 
-@pytest.mark.parametrize("number", ["1 83", "1 1987", "2 691", "2 4014"])
+@pytest.mark.parametrize("number", ["1 83", "1 1987", "2 691", "2 4014", "2027 118"])
 def test_answers_that_the_campaign_mended(number: str) -> None:
-    """A yaw without stiffness; a line without stretch; no force; a moment that bends."""
+    """A yaw without stiffness; lines without stretch; no force; a moment that bends."""
     system = drawn_system(random.Random(f"system {number}"))
     assert faults_of_answer(solve_system(system)) == []
 
