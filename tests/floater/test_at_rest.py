@@ -119,6 +119,24 @@ def test_small_motion_of_an_upright_hull_by_hand() -> None:
     assert found.flow[0] == pytest.approx(speed, rel=1e-3)
 
 
+def test_a_hull_that_leans_meets_the_wave_where_its_slices_are() -> None:
+    """Across its axis: u cos - w sin of Airy's water at the middle of each slice."""
+    hull = buoy(wind=(2500.0, 1.2), drag=np.full(10, 300.0))
+    wave = Waves(np.array([0.2]), np.array([1.9]), np.array([0.4]), np.array([0.0]))
+    sea = Sea(DEPTH, wave)
+    rest = rest_of(hull, sea)
+    found = linear_hull(hull, rest, sea)
+    (x, _, z), axis = rest.state.q, rest.state.axes[:, 2]
+    assert axis[0] > 0.1
+    middle = 0.5 * (hull.foot + hull.top) - 0.5
+    at_x, at_z = x + middle * axis[0], np.minimum(z + middle * axis[2], DEPTH)
+    w, k = 1.9, float(sea.wave_numbers[0])
+    crest = 0.2 * np.exp(1j * (k * at_x + 0.4))
+    u = w * np.cosh(k * at_z) / math.sinh(k * DEPTH) * crest
+    up = -1j * w * np.sinh(k * at_z) / math.sinh(k * DEPTH) * crest
+    assert found.flow[0] == pytest.approx(u * axis[2] - up * axis[0], rel=1e-9)
+
+
 def test_the_bottom_of_a_linear_hull_drags_along_its_axis() -> None:
     hull = buoy(wind=(1e-3, 0.5), bottom_drag=700.0, bottom_radius=1.2)
     wave = Waves(np.array([0.2]), np.array([1.1]), np.array([0.4]), np.array([0.0]))

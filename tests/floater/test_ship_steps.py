@@ -14,6 +14,7 @@ from scipy.integrate import solve_ivp
 import catopt
 from catopt import Line, Segment, System, solve_system
 from catopt.errors import NoEquilibriumError
+from catopt.floater import two_scales
 from catopt.floater.line_tables import no_tables, tables_of
 from catopt.floater.ship_in_weather import ShipInWeather
 from catopt.floater.slow_drift import SLOW_STEP, grown_share, mean_drift
@@ -292,6 +293,42 @@ def test_inertia_is_moved_to_where_the_lines_are() -> None:
     assert here[0, 0] == pytest.approx(1.1 * RHO * weather.ship.displacement)
     own = weather.mass * (0.25 * weather.ship.length_waterline) ** 2
     assert own < here[2, 2] < 2.5 * own
+
+
+def test_the_water_that_sways_with_her_is_clarkes() -> None:
+    """Pi (T/L)^2 (1 + 0.16 Cb B/T - 5.1 (B/L)^2) over rho L^3/2, written out anew."""
+    weather = ShipInWeather(OF, DEPTH, RHO)
+    L, block = weather.ship.length_waterline, weather.block
+    shape = 1.0 + 0.16 * block * 32.0 / 12.0 - 5.1 * (32.0 / L) ** 2
+    assert weather.added[1] == pytest.approx(0.5 * RHO * math.pi * 144.0 * L * shape)
+
+
+def test_a_steady_gust_is_more_wind(monkeypatch: pytest.MonkeyPatch) -> None:
+    """15 m/s with a gust of 5 m/s that stays, from the rest of 15 m/s, is 20 m/s from there."""
+    monkeypatch.setattr(two_scales, "gust_series", lambda _, n, *__: np.full(n, 5.0))
+    waves = regular_wave(0.01, 8.0)
+    gusty, steady = (
+        MooredShip(spread(), ShipInWeather(of, DEPTH, RHO, wind=(speed, 0.0)))
+        for of, speed in ((replace(OF, gusts="NPD"), 15.0), (OF, 20.0))
+    )
+    rest = gusty.at_rest(waves)
+    with_gust, without = (
+        each.run(waves, 8.0, 0.0, np.random.default_rng(1), rest) for each in (gusty, steady)
+    )
+    assert with_gust.course == pytest.approx(without.course, abs=1e-12)
+    assert with_gust.course[-1, 0] > rest.place[0] + 1e-4
+    assert with_gust.tension.shape == with_gust.slow_tension.shape == (with_gust.time.size, 4, 2)
+
+
+def test_on_one_line_the_motion_of_her_point_is_that_of_her_fairlead() -> None:
+    """A fairlead at the origin, whose arm stays nothing however she turns."""
+    moored = MooredShip(one_line(), ShipInWeather(OF, DEPTH, RHO, current=(0.5, 0.0)))
+    wave = regular_wave(1.0, 9.0, direction=2.5)
+    time = np.arange(0.0, 20.0, 2.0)
+    slow = np.stack([0.0 * time, 0.0 * time, 0.05 * time], axis=1)
+    own, ways, _ = moored._fast(wave, time, slow, moored.at_rest(wave))
+    assert ways.shape == (10, 1, 3)
+    assert ways[:, 0, :2] == pytest.approx(own)
 
 
 def test_stiffness_at_rest_is_in_the_ships_axes() -> None:
