@@ -130,10 +130,10 @@ class Batch:
         """Bring the body to rest under many loads; as `solve_system_many`."""
         forces, moments = _loads(self.system, force, moment)
         n, count = len(forces), len(self.system.legs)
-        net, neutral = self._zero_load.net, self._zero_load.neutral
+        (net, known), neutral = self._zero_load.as_numbers(), self._zero_load.neutral
         scale = np.array(net.scale)
         loads = np.column_stack([forces, moments]) / scale
-        _, under = rested(net, self._zero_load.known, loads.ravel().tolist(), n)
+        _, under = rested(net, known, loads.ravel().tolist(), n)
         status, number, steps = np.array(under.codes, np.int64).reshape(n, 3).T
         solved = status == CONVERGED
 

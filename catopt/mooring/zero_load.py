@@ -114,15 +114,18 @@ class ZeroLoadPosition:
 
     def under(self, force: Sequence[float], moment: float = 0.0) -> tuple[BodyRest, Lines]:
         """Bring the body to rest under a load, N and N m; errors as for `solve_system`."""
-        net, known = self._under(force, moment), _copied(self.known)
+        net, known = self.as_numbers(force, moment)
         found = rest_at_heading(net, known, (CONVERGED, -1))
         if found.status == TURNS_OVER:
             raise _turns_over(moment, found.left * net.scale[2])
         return _checked(found, self.system, net, known), lines_of(net, known)
 
-    def _under(self, force: Sequence[float], moment: float) -> Net:
+    def as_numbers(
+        self, force: Sequence[float] = (0.0, 0.0), moment: float = 0.0
+    ) -> tuple[Net, Known]:
+        """Copy its lines as numbers, with a load on the body, and what is known of them."""
         pull = [float(force[0]), float(force[1]), float(moment) / self.net.scale[2]]
-        return self.net._replace(pull=pull, kind=[*self.net.kind])
+        return self.net._replace(pull=pull, kind=[*self.net.kind]), _copied(self.known)
 
     def other_headings(
         self, rest: BodyRest, force: Sequence[float], moment: float = 0.0
@@ -133,7 +136,7 @@ class ZeroLoadPosition:
         """
         if not self.system.turns or not self.is_held(rest):
             return ()
-        net, known = self._under(force, moment), _copied(self.known)
+        net, known = self.as_numbers(force, moment)
         arm, total = net.scale[2], len(self.system.legs)
         known.q[:] = [rest.x, rest.y, rest.yaw * arm]
         began = perf_counter()
@@ -158,8 +161,8 @@ class ZeroLoadPosition:
 
         An error when a line does not reach there, or has no answer.
         """
-        net = self.net._replace(pull=[0.0] * 3, kind=[PINNED, PINNED, self.net.kind[2]])
-        known = _copied(self.known)
+        net, known = self.as_numbers()
+        net.kind[:2] = PINNED, PINNED
         known.q[:2] = x, y
         found = rest_at_heading(net, known, hang(net, known, False))
         return _checked(found, self.system, net, known), lines_of(net, known)

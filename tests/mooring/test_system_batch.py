@@ -9,7 +9,7 @@ import pytest
 
 from catopt import InputError, Line, PointLoad, Segment, System, solve_system
 from catopt.model import Leg
-from catopt.mooring.batch import solve_system_many
+from catopt.mooring.batch import Batch, solve_system_many
 from tests.mooring.layouts import CHAIN, fso
 
 
@@ -102,3 +102,10 @@ def test_refused(force: list[object], moment: object, word: str) -> None:
     system = System.around(CHAIN, azimuths=[0.0, 2.0, 4.0], anchor_radius=560.0, fairlead_height=50)
     with pytest.raises(InputError, match=word):
         solve_system_many(system, force=force, moment=moment)  # type: ignore[arg-type]
+
+
+def test_a_load_leaves_no_trace_in_the_next() -> None:
+    batch = Batch(fso())
+    first = batch.under([[-1e6, 0.0]])
+    batch.under([[3e6, 2e6]])
+    assert batch.under([[-1e6, 0.0]]).position.tolist() == first.position.tolist()
