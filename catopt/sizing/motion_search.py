@@ -110,13 +110,16 @@ def search_in_motion(
     found = _Search(request, how, best_at_rest, settle_line)
     sizes = list(found.sizes())
     if not how.quick:
-        expect(Message("sizing.running_afloat", sizes=len(sizes)), found.seconds)
+        expect(Message("sizing.running_afloat", count=len(sizes)), found.seconds)
     with Threads() if how.quick else Crew(processes_for(found.work, None)) as crew:
         chosen = found.best(sizes, crew)
         by_length = found.by_length(sizes, chosen, crew) if chosen and how.other_lengths else ()
     counted = found.counted(sizes)
     if chosen is None:
         every = [each for each in found.judged.values() if each is not None]
+        near = next((each for each in every if fails_by_margin(each.tried, how.margin)), None)
+        if near is not None:
+            return _search_in_full(near.tried, request, best_at_rest, settle_line)
         tried = [(each.settled.point.line, each.tried) for each in every]
         raise NoLineInMotionError(tried, counted)
     assert chosen.checks is not None
@@ -141,6 +144,22 @@ def search_in_motion(
         ),
         _sinker_size(request, chosen),
     )
+
+
+def fails_by_margin(of: LineTried, margin: float) -> bool:
+    """Whether a line fails by no more than the margin that its runs are given."""
+    return bool(of.failing) and all(each.demand <= margin * each.capacity for each in of.failing)
+
+
+def _search_in_full(
+    of: LineTried, request: BuoyRequest, best_at_rest: ConvergedSizing, settle_line: SettleLine
+) -> Moved:
+    """Search the size of a line in the full way, where the margin of the fast one leaves none."""
+    size = {"diameter_min": of.diameter, "diameter_max": of.diameter}
+    line = replace(request.line, components=(of.component,), **size)
+    asked = replace(request, line=line, in_motion=RunsAfloat())
+    found = search_in_motion(asked, best_at_rest, settle_line)
+    return found._replace(settled=replace(found.settled, choice=request.line))
 
 
 def _run_in_full(case: Case) -> Case:

@@ -4,7 +4,8 @@ A ship is run as in the full way, the same hours of the same seeds in every load
 are read out of tables (`catopt.floater.tabulated`). A buoy is run by the full model, but once and
 for less time in each load case, and every load case is judged by the runs of all of them, by the
 upper end of the interval that their peaks leave, times a margin. Fewer lines are looked at than in
-the full way.
+the full way; where only the margin stands against the last of them, its size is run in the full
+way.
 """
 
 from __future__ import annotations

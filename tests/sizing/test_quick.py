@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -10,8 +11,9 @@ import catopt
 from catopt.checks.kinds import CheckSource
 from catopt.checks.result import CheckResult
 from catopt.errors import InputError
-from catopt.sizing.in_motion import with_margin
+from catopt.sizing.in_motion import LineTried, with_margin
 from catopt.sizing.input_values import input_values
+from catopt.sizing.motion_search import fails_by_margin
 from catopt.sizing.quick import quick_runs, shared_out
 from catopt.sizing.requests import request_of
 
@@ -55,3 +57,24 @@ def test_a_margin_is_on_what_hangs_on_few_peaks() -> None:
     assert taken.exceedance == pytest.approx(15 / 110, rel=1e-12)
     assert not taken.passes
     assert with_margin(of, quick_runs("tanker")) is of
+
+
+@pytest.mark.parametrize(("demand", "by_margin"), [(124e3, True), (126e3, False)])
+def test_a_line_that_fails_by_the_margin_alone_is_run_in_full(
+    demand: float, *, by_margin: bool
+) -> None:
+    of = CheckResult("", "tension", "", demand, 100e3, "N", 0.24, CheckSource("", "", "A"))
+    tried = LineTried("chain", 0.03, 38.0, 600.0, 2, (of,))
+    assert fails_by_margin(tried, quick_runs("buoy").margin) is by_margin
+    assert not fails_by_margin(replace(tried, failing=()), 1.25)
+    assert not fails_by_margin(replace(tried, failing=(), reason="capsizes"), 1.25)
+
+
+@pytest.mark.slow
+def test_the_buoy_of_readme_passes_in_full_where_the_margin_leaves_none() -> None:
+    """Its thickest chain comes to 0.81 of the allowable tension, and 1.02 with the margin."""
+    found = catopt.size_buoy(**BUOY)
+    assert found.passes
+    assert found.in_motion is not None
+    assert not found.in_motion.how.quick
+    assert found.in_motion.checks.is_proven
