@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, partial
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import numpy as np
 
@@ -368,7 +368,7 @@ def sea_states(case: Case) -> tuple[FatigueSeaState, ...]:
     states, problems = [], share_misfits(shares)
     for k, (row, share) in enumerate(zip(sheet.rows, shares, strict=True)):
         sea = columns.keys() & {"height", "period", "direction"}
-        at = {key: columns[key][k] for key in sea}
+        at: dict[str, Any] = {key: columns[key][k] for key in sea}
         try:
             states.append(FatigueSeaState(share=share, **at))
         except InputError as error:
