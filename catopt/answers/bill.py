@@ -83,7 +83,7 @@ def _fittings(sheet: Sheet) -> tuple[list[_Item], list[Message]]:
     There is a shackle at each end and between segments, by the weaker chain that it joins; a single
     line has a swivel between two shackles at its fairlead, a sinker its ring.
     """
-    segments, is_single = sheet.line.segments, sheet.system is None
+    segments, is_single = sheet.line.segments, sheet.lines == 1
     is_held_by_ring = sheet.anchor is not None and sheet.anchor.kind == "sinker"
     ends = [segments[:1], *itertools.pairwise(segments), segments[-1:]]
     chosen: Counter[tuple[str, Fitting]] = Counter()

@@ -155,8 +155,12 @@ def _search_in_full(
     of: LineTried, request: BuoyRequest, best_at_rest: ConvergedSizing, settle_line: SettleLine
 ) -> Moved:
     """Search the size of a line in the full way, where the margin of the fast one leaves none."""
-    size = {"diameter_min": of.diameter, "diameter_max": of.diameter}
-    line = replace(request.line, components=(of.component,), **size)
+    line = replace(
+        request.line,
+        components=(of.component,),
+        diameter_min=of.diameter,
+        diameter_max=of.diameter,
+    )
     asked = replace(request, line=line, in_motion=RunsAfloat())
     found = search_in_motion(asked, best_at_rest, settle_line)
     return found._replace(settled=replace(found.settled, choice=request.line))

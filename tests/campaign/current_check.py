@@ -71,7 +71,7 @@ def faults_in_current(found: LinesInCurrent) -> Iterator[str]:
         for fault in _line_faults(found, k):
             yield f"line {run.name}: {fault}"
     flow, depth = _flow(found), network.site.water_depth
-    left = {}
+    left: dict[str, Any] = {}
     for k, point in enumerate(network.points):
         if point.kind == "joint":
             u = flow(min(kept.places[k][2], depth))
@@ -104,7 +104,7 @@ def _line_faults(found: LinesInCurrent, number: int) -> Iterator[str]:
     ]
     first, second = (np.array(found.joints.places[k]) for k in (run.first, run.second))
     line = given if run.line == given else reversed_line(given)
-    tension = max(np.linalg.norm(ends.first), np.linalg.norm(ends.second))
+    tension = max(float(np.linalg.norm(each)) for each in (ends.first, ends.second))
     hangs = line.length - found.lines[number].grounded_length
     end = _followed(found, line, second, -np.array(ends.second), hangs)
     if hangs == line.length:

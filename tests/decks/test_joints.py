@@ -139,6 +139,7 @@ def test_a_line_with_a_free_end_hangs_from_its_other() -> None:
         "--- LINES", "10 Free 0 0 -20 0 0 0 0\n--- LINES"
     )
     network, _ = read_any_deck(loose.replace("5 nylon 6 7", "5 nylon 6 2"))
+    assert isinstance(network, Network)
     assert {"9", "10"} == {network.lines[6].start, network.lines[6].end}
 
 
