@@ -8,6 +8,7 @@ import random
 from collections import Counter
 from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model import Line, PointLoad, Segment, Site
@@ -36,7 +37,7 @@ def drawn_afloat(seed: int) -> Network:
     depth = network.site.water_depth * draw.choice([0.25, 0.5, 0.75, 1.0])
     points = []
     for point in network.points:
-        own = {}
+        own: dict[str, Any] = {}
         if point.is_float and draw.random() < 0.7:
             own["mass"] = draw.uniform(0.0, 1.0) * -point.submerged_weight / STANDARD_GRAVITY
             if draw.random() < 0.5:
