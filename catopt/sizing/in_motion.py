@@ -133,6 +133,11 @@ class LineTried(Record):
         """Whether every check is passed in motion."""
         return not self.failing and not self.reason
 
+    def fails_by_margin(self, margin: float) -> bool:
+        """Whether it fails by no more than the margin that its runs were given."""
+        small = all(each.demand <= margin * each.capacity for each in self.failing)
+        return bool(self.failing) and small
+
     @property
     def words(self) -> str:
         """The check that it fails by the most, or why a run has no answer; empty if it passes."""

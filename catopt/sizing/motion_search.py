@@ -117,7 +117,7 @@ def search_in_motion(
     counted = found.counted(sizes)
     if chosen is None:
         every = [each for each in found.judged.values() if each is not None]
-        near = next((each for each in every if fails_by_margin(each.tried, how.margin)), None)
+        near = next((each for each in every if each.tried.fails_by_margin(how.margin)), None)
         if near is not None:
             return _search_in_full(near.tried, request, best_at_rest, settle_line)
         tried = [(each.settled.point.line, each.tried) for each in every]
@@ -144,11 +144,6 @@ def search_in_motion(
         ),
         _sinker_size(request, chosen),
     )
-
-
-def fails_by_margin(of: LineTried, margin: float) -> bool:
-    """Whether a line fails by no more than the margin that its runs are given."""
-    return bool(of.failing) and all(each.demand <= margin * each.capacity for each in of.failing)
 
 
 def _search_in_full(

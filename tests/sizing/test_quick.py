@@ -13,7 +13,6 @@ from catopt.checks.result import CheckResult
 from catopt.errors import InputError
 from catopt.sizing.in_motion import LineTried, with_margin
 from catopt.sizing.input_values import input_values
-from catopt.sizing.motion_search import fails_by_margin
 from catopt.sizing.quick import quick_runs, shared_out
 from catopt.sizing.requests import request_of
 
@@ -65,9 +64,9 @@ def test_a_line_that_fails_by_the_margin_alone_is_run_in_full(
 ) -> None:
     of = CheckResult("", "tension", "", demand, 100e3, "N", 0.24, CheckSource("", "", "A"))
     tried = LineTried("chain", 0.03, 38.0, 600.0, 2, (of,))
-    assert fails_by_margin(tried, quick_runs("buoy").margin) is by_margin
-    assert not fails_by_margin(replace(tried, failing=()), 1.25)
-    assert not fails_by_margin(replace(tried, failing=(), reason="capsizes"), 1.25)
+    assert tried.fails_by_margin(quick_runs("buoy").margin) is by_margin
+    assert not replace(tried, failing=()).fails_by_margin(1.25)
+    assert not replace(tried, failing=(), reason="capsizes").fails_by_margin(1.25)
 
 
 @pytest.mark.slow
