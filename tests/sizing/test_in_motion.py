@@ -170,7 +170,7 @@ def test_a_line_that_fails_when_it_is_run_again_is_not_recommended(
 def test_where_nothing_holds_the_nearest_is_named(monkeypatch: pytest.MonkeyPatch) -> None:
     tried = LineTried("", 0.02, 1.0, 1.0, 2, (FAILS,))
 
-    def fails(settled: Any, *_: object) -> Any:
+    def fails(settled: Any, *_: object, **__: object) -> Any:
         return SimpleNamespace(settled=settled, tried=tried)
 
     monkeypatch.setattr(searching, "_run", fails)

@@ -25,7 +25,8 @@ def _pressed(case: Case) -> DesignResult:
 
 
 def _pressed_before_any_passes(case: Case) -> DesignResult:
-    return _pressed(replace(case, checks=replace(case.checks, safety_factor=1e6)))
+    strict = replace(case.checks, safety_factor=1e6, accept=("safety_factor",))
+    return _pressed(replace(case, checks=strict))
 
 
 @pytest.mark.parametrize("search", [_pressed, _pressed_before_any_passes])
