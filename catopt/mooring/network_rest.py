@@ -303,18 +303,17 @@ class LinesAtRest(Tabled, Record):
             if point.is_float
         )
 
-    @property
-    def with_floats_carried(self) -> Network:
-        """The network with floats that are afloat as the forces that hold their lines up."""
-        points = list(self.network.points)
+    def carrying_floats(self, network: Network) -> Network:
+        """Give a network its floats that are afloat as the forces that hold their lines up."""
+        points = list(network.points)
         for each in self.floats:
             if each.lost:
                 along, across, up = each.of.force
                 force = (along, across, up + each.used)
-                points[self.network.numbers[each.name]] = replace(
+                points[network.numbers[each.name]] = replace(
                     each.of, submerged_weight=0.0, force=force, float_height=None
                 )
-        return replace(self.network, points=tuple(points))
+        return replace(network, points=tuple(points))
 
     @property
     def named_lines(self) -> tuple[LineAtRest, ...]:

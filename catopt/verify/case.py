@@ -73,7 +73,7 @@ def verify_network(
         allowed = Message("refused_motion.truss_of_points_has_no_current")
         raise refused("current", "", allowed, "verify")
     closed = at_rest(network)
-    network = closed.with_floats_carried
+    network = closed.carrying_floats(network)
     rows = rows_of(network)
     within = _places_in_rows(network, rows, closed.runs)
     whole = in_rows(network, rows)

