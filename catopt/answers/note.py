@@ -25,9 +25,10 @@ from catopt.answers.blocks import (
 from catopt.answers.check import governing_sentence, kind_name
 from catopt.answers.solution import given_tables
 from catopt.answers.verification import closing_in_note, compared_in_note, lines_in_note
-from catopt.checks.kinds import limit_quantity
+from catopt.checks.kinds import ROUNDING, limit_quantity
 from catopt.checks.verdict import verdict_of
 from catopt.constants import YEAR
+from catopt.largest import largest
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.verify.motion_words import part_sentence
 from catopt.words import Cited, Measure, Message, Several, quantity_name
@@ -519,7 +520,7 @@ def _damaged(sheet: Stated) -> Message:
     if not sheet.judges_line_out:
         return Message("note_sheet.damaged_not_judged")
     states = [each for each in sheet.report.results if each.place.state != "intact"]
-    worst = max(states, key=lambda each: each.exceedance)
+    worst = largest(states, lambda each: each.exceedance, ROUNDING)
     key = "damaged_passes" if all(each.passes for each in states) else "damaged_fails"
     values = {"check": worst.name, "state": worst.where, "source": worst.source.text}
     return Message(f"note_sheet.{key}", **values)
