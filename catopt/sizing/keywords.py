@@ -114,11 +114,11 @@ def size_buoy(
     Examples
     --------
     >>> import catopt
-    >>> sizing = catopt.size_buoy("pillar 1.8 m", depth="12 m")
+    >>> sizing = catopt.size_buoy("pillar 1.8 m", depth="12 m", at_rest=True)
     >>> sizing.passes, sizing.chain.segment.name, f"{sizing.own_sinker.mass / 1e3:g} t"
-    (True, 'chain open-link 4D Q2 30 mm', '8 t')
+    (True, 'chain open-link 4D Q2 30 mm', '2 t')
     >>> print(str(sizing).splitlines()[1])
-    30 mm open-link chain 4D Q2, 38 m, on a concrete sinker of 8 t
+    30 mm open-link chain 4D Q2, 38 m, on a concrete sinker of 2 t
     """
     return _sized("buoy", **locals())
 
