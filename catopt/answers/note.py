@@ -25,10 +25,9 @@ from catopt.answers.blocks import (
 from catopt.answers.check import governing_sentence, kind_name
 from catopt.answers.solution import given_tables
 from catopt.answers.verification import closing_in_note, compared_in_note, lines_in_note
-from catopt.checks.kinds import ROUNDING, limit_quantity
+from catopt.checks.kinds import limit_quantity
 from catopt.checks.verdict import verdict_of
 from catopt.constants import YEAR
-from catopt.largest import largest
 from catopt.quantities import QUANTITIES, Quantity
 from catopt.verify.motion_words import part_sentence
 from catopt.words import Cited, Measure, Message, Several, quantity_name
@@ -175,7 +174,7 @@ def _not_covered(sheet: Stated, in_motion: bool) -> Iterator[str]:
         ("no_motion", not in_motion),
         ("no_criterion", not sheet.report.results),
         ("no_anchor", sheet.anchor is None),
-        ("no_line_out", sheet.lines > 1 and not sheet.judges_line_out),
+        ("no_line_out", sheet.lines > 1 and not sheet.with_line_out),
         ("no_wear", sheet.case.service is None),
         ("never", True),
     ):
@@ -443,7 +442,7 @@ def _limit_states(sheet: Stated) -> Table:
     """Tabulate criteria by limit state: state of the mooring and kind of load case."""
     kinds = {each.kind for each in sheet.report.load_cases} or {"extreme"}
     states: list[str] = [kind for kind in ("extreme", "reference") if kind in kinds]
-    if sheet.judges_line_out:
+    if sheet.with_line_out:
         states.append("one_line_out")
     rows: list[Sequence[Cell]] = []
     for each in dict.fromkeys(sheet.criteria.all):
@@ -517,10 +516,10 @@ def _wear(sheet: Sheet) -> Iterator[Block]:
 def _damaged(sheet: Stated) -> Message:
     if sheet.lines == 1:
         return Message("note_sheet.damaged_one")
-    if not sheet.judges_line_out:
+    worst = sheet.nearest_with_line_out
+    if worst is None:
         return Message("note_sheet.damaged_not_judged")
-    states = [each for each in sheet.report.results if each.place.state != "intact"]
-    worst = largest(states, lambda each: each.exceedance, ROUNDING)
-    key = "damaged_passes" if all(each.passes for each in states) else "damaged_fails"
+    passes = all(each.passes for each in sheet.with_line_out)
+    key = "damaged_passes" if passes else "damaged_fails"
     values = {"check": worst.name, "state": worst.where, "source": worst.source.text}
     return Message(f"note_sheet.{key}", **values)

@@ -9,8 +9,10 @@ from typing import TYPE_CHECKING
 
 from catopt.catenary.case import solve_case
 from catopt.checks.criteria import Criteria, criteria_of
+from catopt.checks.kinds import ROUNDING
 from catopt.checks.wear import LeastDiameter, least_diameters
 from catopt.errors import CatoptError
+from catopt.largest import largest
 from catopt.model import Anchor, Load
 from catopt.model.network import Network
 from catopt.mooring.solution import solve_system
@@ -18,7 +20,7 @@ from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.catenary.solution import Solution
-    from catopt.checks.result import CheckReport
+    from catopt.checks.result import CheckReport, CheckResult
     from catopt.model import Case, Line
     from catopt.mooring.solution import SystemSolution
     from catopt.notes.origin import Origin
@@ -71,9 +73,15 @@ class Stated:
         return min(found, default=None)
 
     @property
-    def judges_line_out(self) -> bool:
-        """Whether a state with one line out was checked."""
-        return any(each.place.state != "intact" for each in self.report.results)
+    def with_line_out(self) -> tuple[CheckResult, ...]:
+        """Every check with one line out."""
+        return tuple(each for each in self.report.results if each.place.state != "intact")
+
+    @property
+    def nearest_with_line_out(self) -> CheckResult | None:
+        """The one of these nearest to its limit, the first of those alike; None without any."""
+        made = self.with_line_out
+        return largest(made, lambda each: each.exceedance, ROUNDING) if made else None
 
 
 @dataclass(frozen=True, kw_only=True)
