@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any, Final, TypeVar
+from typing import Any, Final, TypeVar, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -19,18 +19,17 @@ _DIGITS: Final = 10
 processor and on the number of threads, and a line that snaps enlarges them."""
 
 
-def rounded(values: _Some) -> _Some:
+def without_last_digits(values: _Some) -> _Some:
     """Round to the tenth digit of the largest; complex ones by part.
 
     Examples
     --------
     >>> import numpy as np
-    >>> from catopt.arrays import rounded
-    >>> float(rounded(np.array([1.00000000004, 200.0]))[0])
+    >>> from catopt.arrays import without_last_digits
+    >>> float(without_last_digits(np.array([1.00000000004, 200.0]))[0])
     1.0
     """
     largest = float(np.abs(values).max(initial=0.0))
     if largest == 0.0 or not math.isfinite(largest):
         return values
-    places: Any = np.round(values, _DIGITS - 1 - math.floor(math.log10(largest)))
-    return places  # type: ignore[no-any-return]
+    return cast("_Some", np.round(values, _DIGITS - 1 - math.floor(math.log10(largest))))

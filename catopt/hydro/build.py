@@ -11,7 +11,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.interpolate import CubicSpline
 
-from catopt.arrays import Array, Codes, Flags, rounded
+from catopt.arrays import Array, Codes, Flags, without_last_digits
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.hydro.coefficients import Coefficients, Memory
 from catopt.hydro.cylinder import FloatingCylinder
@@ -62,10 +62,10 @@ class Radiation:
         answer = of.at(omega)
         return cls(
             omega,
-            rounded(answer.added_mass),
-            rounded(answer.damping),
-            rounded(of.at_infinite_frequency()),
-            rounded(answer.excitation),
+            without_last_digits(answer.added_mass),
+            without_last_digits(answer.damping),
+            without_last_digits(of.at_infinite_frequency()),
+            without_last_digits(answer.excitation),
             _LASTS / scale,
         )
 

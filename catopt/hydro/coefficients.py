@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 from scipy.interpolate import CubicSpline
 
-from catopt.arrays import Array, Codes, rounded
+from catopt.arrays import Array, Codes, without_last_digits
 from catopt.model.kinds import Findings
 from catopt.words import Message
 
@@ -242,8 +242,8 @@ class Memory:
         return cls(
             np.array(rows[0], dtype=np.int64),
             np.array(rows[1], dtype=np.int64),
-            rounded(np.array(rows[2], dtype=complex)),
-            rounded(np.array(rows[3], dtype=complex)),
+            without_last_digits(np.array(rows[2], dtype=complex)),
+            without_last_digits(np.array(rows[3], dtype=complex)),
         )
 
     def kernel(self, t: Array, i: int = 0, j: int = 0) -> Array:
