@@ -61,7 +61,7 @@ class ShipRuns:
         settle: Settle,
         around: Around,
     ) -> None:
-        self.request, self.how = request, how
+        self.request, self.how, self.start = request, how, start
         self._settle, self._around = settle, around
         self.judged: dict[Line, JudgedLine] = {}
         self._settled: dict[Line, ConvergedSizing] = {}

@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import cached_property
 from operator import itemgetter
 from typing import Final, NamedTuple
 
@@ -31,12 +32,8 @@ from catopt.sizing.in_motion import (
     NoLineInMotionError,
     RunsAfloat,
 )
-from catopt.sizing.line_choice import sold
-from catopt.sizing.motion_verdicts import (
-    JudgedLine,
-    size_of,
-    storm_of,
-)
+from catopt.sizing.line_choice import LineChoice, sold
+from catopt.sizing.motion_verdicts import JudgedLine, size_of, storm_of
 from catopt.sizing.pattern import Pattern
 from catopt.sizing.quick import NEAR
 from catopt.sizing.ship_afloat import MOTION_CODE, runs_afloat
@@ -44,9 +41,7 @@ from catopt.sizing.ship_band import band_of, basis_of
 from catopt.sizing.ship_runs import LINES, Around, Settle, ShipRuns
 from catopt.sizing.tanker_request import TankerRequest
 from catopt.verify.convergence_check import LIMIT
-from catopt.verify.two_scales import (
-    with_proof,
-)
+from catopt.verify.two_scales import with_proof
 from catopt.words import Message
 
 _MOST_FACTOR: Final = 100.0
@@ -107,29 +102,32 @@ def search_ship_in_motion(
 class _Search(ShipRuns):
     """Lines that are tried, and which is recommended."""
 
-    def __init__(
-        self,
-        request: TankerRequest,
-        how: RunsAfloat,
-        start: ConvergedSizing,
-        settle: Settle,
-        around: Around,
-    ) -> None:
-        super().__init__(request, how, start, settle, around)
-        self.own: LineTried | None = None
-        design = start.posed.case.design
+    own: LineTried | None = None
+    """Her own cable, once it was run."""
+
+    @cached_property
+    def lengths(self) -> tuple[float, ...]:
+        """That a line may have, m."""
+        design = self.start.posed.case.design
         assert design is not None
-        self.lengths = design.segments[0].lengths
-        self._sizes = sold(request.line, request.environment.water_density)
-        own = request.line
+        return design.segments[0].lengths
+
+    @cached_property
+    def sizes(self) -> tuple[Segment, ...]:
+        """A metre of each that is sold."""
+        return sold(self.request.line, self.request.environment.water_density)
+
+    @property
+    def _line(self) -> LineChoice:
+        """What is chosen from for an allowance for motion: by a code that judges lines in it."""
+        own = self.request.line
         is_for_motion = all(each.is_for_motion for each in profiles_of(own.checks))
         code = own.code if is_for_motion else MOTION_CODE
-        self._line = replace(own, code=code, prefer=own.looks_for)
+        return replace(own, code=code, prefer=own.looks_for)
 
     def prefer_lightest(self) -> None:
         """Look for the lightest from now on: where nothing that is laid holds."""
         self.request = replace(self.request, line=self.request.line.by("lightest"))
-        self._line = self._line.by("lightest")
 
     # ------------------------------------------------------------------ lines
 
@@ -172,7 +170,7 @@ class _Search(ShipRuns):
         where none does: then the lightest.
         """
         (segment,) = line.segments
-        sizes = sorted((e for e in self._sizes if e.component == segment.component), key=size_of)
+        sizes = sorted((e for e in self.sizes if e.component == segment.component), key=size_of)
         own = self.request.own_cable
         sizes = [each for each in sizes if size_of(each) >= own - _SAME_SIZE] or sizes[-1:]
         depth = self.request.environment.levels.high
@@ -309,12 +307,12 @@ class _Search(ShipRuns):
         """Yield thinner lines of its length, the thickest first; the fast search the next few."""
         (segment,) = line.segments
         least = NEAR * size_of(segment) if self.how.quick else 0.0
-        for each in sorted(self._sizes, key=size_of, reverse=True):
+        for each in sorted(self.sizes, key=size_of, reverse=True):
             if each.component == segment.component and least <= size_of(each) < size_of(segment):
                 yield replace(line, segments=(replace(each, length=segment.length),))
 
     def _thickest(self, component: str) -> Segment:
-        return max((each for each in self._sizes if each.component == component), key=size_of)
+        return max((each for each in self.sizes if each.component == component), key=size_of)
 
     def _exchanged(self, line: Line) -> Iterator[tuple[Line, ...]]:
         """Yield lines a step or two longer, from the thickest of the thinner ones on; then shorter.
@@ -358,7 +356,7 @@ class _Search(ShipRuns):
 
 def _counted(found: _Search) -> Counted:
     run = [each.tried for each in found.judged.values() if each.tried.runs]
-    considered = len(found._sizes) * len(found.lengths)
+    considered = len(found.sizes) * len(found.lengths)
     return Counted(
         considered, None, considered - len(run), len(run), sum(each.runs for each in run)
     )
