@@ -8,8 +8,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 from catopt.answers.blocks import Block, Rows, Text, tabulate, texts
-from catopt.catalogue.fittings import fittings_for
-from catopt.model.line import line_kind
+from catopt.catalogue.fittings import fittings_of
 from catopt.words import Cited, Measure, Message, Several, term
 
 if TYPE_CHECKING:
@@ -95,14 +94,11 @@ def _fittings(sheet: Sheet) -> tuple[list[_Item], list[Message]]:
             wanted["sinker ring"] = 1
         if k == len(segments) and is_single:
             wanted |= {"shackle": 2, "swivel": 1}
-        chains = [each for each in joined if _is_known_chain(each)]
-        if not chains:
+        found = [of for each in joined if (of := fittings_of(each, tuple(wanted))) is not None]
+        if not found:
             open_ends += 1
             continue
-        chain = min(chains, key=lambda each: each.MBL or 0.0)
-        of = fittings_for(
-            chain.component, chain.nominal_diameter or 0.0, chain.MBL or 0.0, tuple(wanted)
-        )
+        of = min(found, key=lambda each: each.MBL)
         for use, fitting in of.found.items():
             chosen[use, fitting] += wanted[use]
         unknown |= dict.fromkeys(of.missing.values())
@@ -112,11 +108,6 @@ def _fittings(sheet: Sheet) -> tuple[list[_Item], list[Message]]:
         count = {"each": open_ends, "every": open_ends * sheet.lines}
         said.append(Message("note_sheet.fittings", **count))
     return items, [*said, *unknown]
-
-
-def _is_known_chain(segment: Segment) -> bool:
-    is_chain = line_kind(segment.component) == "chain"
-    return is_chain and None not in (segment.MBL, segment.nominal_diameter)
 
 
 def _item(use: str, fitting: Fitting, number: int) -> _Item:

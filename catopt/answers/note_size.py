@@ -438,7 +438,7 @@ def _lines(of: SystemSolution, load_case: str) -> Table:
 
 def _assumptions(note: SizeNote) -> Iterator[Block]:
     of = note.sizing
-    yield blocks.Points((*of.advice, *of.fittings), Message("note_size.assumptions_advice"))
+    yield blocks.Points(tuple(of.advice), Message("note_size.assumptions_advice"))
     yield blocks.Points(tuple(of.assumptions))
     yield blocks.Points(tuple(of.defaults), Message("note_size.assumptions_defaults"))
     yield blocks.Points(tuple(of.recalled), Message("note_size.assumptions_recalled"))

@@ -14,6 +14,7 @@ from catopt.catalogue.reading import cited, own_sources, own_text
 from catopt.catalogue.table import TomlTable
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model.kinds import Findings, Length, Mass, Positive, Strength
+from catopt.model.line import Segment, line_kind
 from catopt.records import Record
 from catopt.words import Measure, Message, term
 
@@ -171,6 +172,14 @@ def fittings_for(
             "catalogue.no_fitting", strongest=Measure("MBL", strongest), **values
         )
     return FittingSet(component, diameter, MBL, MappingProxyType(found), MappingProxyType(missing))
+
+
+def fittings_of(segment: Segment, uses: Collection[str]) -> FittingSet | None:
+    """Find those of a segment, as `fittings_for`; None where it is no chain of known strength."""
+    diameter, MBL = segment.nominal_diameter, segment.MBL
+    if line_kind(segment.component) != "chain" or diameter is None or MBL is None:
+        return None
+    return fittings_for(segment.component, diameter, MBL, uses)
 
 
 def _sizes(table: TomlTable, sources: dict[str, Source]) -> list[Fitting]:

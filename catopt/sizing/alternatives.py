@@ -9,7 +9,7 @@ from typing import Any, Final, Literal
 
 from catopt.casefile.reading import Moored
 from catopt.catalogue.choice import chosen
-from catopt.catalogue.fittings import OF_A_CHAIN, fittings_for
+from catopt.catalogue.fittings import OF_A_CHAIN, fittings_of
 from catopt.catalogue.practice import Practice, practice_of_buoy, practice_of_ship
 from catopt.catalogue.practice import condition as kept_condition
 from catopt.checks.criteria import criteria_of
@@ -25,7 +25,6 @@ from catopt.loads.drag_anchor import laying_check
 from catopt.loads.sinker import friction_of
 from catopt.model import Anchor, Segment
 from catopt.model.kinds import Height, Length, SomeMass
-from catopt.model.line import line_kind
 from catopt.quantities import QUANTITIES
 from catopt.records import Record
 from catopt.sizing.buoy_request import BuoyRequest
@@ -359,11 +358,11 @@ def chain_life(
 def _fittings(settled: ConvergedSizing) -> Iterator[Message]:
     """Say which shackle, swivel and ring go with the chain, or which is missing."""
     segment = settled.point.line.segments[0]
-    if line_kind(segment.component) != "chain" or segment.MBL is None:
-        return
     is_dragged = settled.posed.drag_anchor is not None
     uses = [use for use in OF_A_CHAIN if not (is_dragged and use == "sinker ring")]
-    found = fittings_for(segment.component, segment.nominal_diameter or 0.0, segment.MBL, uses)
+    found = fittings_of(segment, uses)
+    if found is None:
+        return
     if found.weakest is not None:
         sizes = (
             Message("sizing.fitting_size", use=term(use), size=1e3 * each.size)
