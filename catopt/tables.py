@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import csv
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
@@ -192,6 +192,32 @@ def rows_read(name: str, count: int, skipped: int) -> Message:
     return Message("refused_table.rows_read", name=name, count=count, skipped=skipped)
 
 
+def units_of(
+    sheet: Sheet,
+    names: Sequence[str],
+    known: Mapping[str, Column | None],
+    *,
+    needed: Sequence[str],
+    some_of: Sequence[str] = (),
+) -> list[float]:
+    """Return how many SI units one of each column's unit is; 1 for a column of text, None.
+
+    `names`: of the columns, by their headings; the rest as for `read_numbers`. InputError for
+    headings that are unknown, missing or there twice, and units that are none.
+    """
+    problems = list(_of_headings(sheet.headings, names, known, needed, some_of or needed))
+    sizes = [1.0] * len(names)
+    for k, (name, cell) in enumerate(zip(names, sheet.headings, strict=True)):
+        column = known.get(name)
+        if column is not None:
+            sizes[k] = column.size(heading(cell)[1])
+            if math.isnan(sizes[k]):
+                problems.append(Problem("headings", as_text(cell), column.wanted))
+    if problems:
+        raise InputError(problems, sheet.path)
+    return sizes
+
+
 def read_numbers(
     sheet: Sheet, known: Mapping[str, Column], *, needed: Sequence[str], some_of: Sequence[str] = ()
 ) -> dict[str, list[float]]:
@@ -201,17 +227,8 @@ def read_numbers(
     `some_of`: those that have to be there, and of which one at least has to, else of the needed.
     InputError for wrong headings, cells that are no numbers, and numbers beyond what is plausible.
     """
-    parts = [heading(cell) for cell in sheet.headings]
-    names = [name.casefold() for name, _ in parts]
-    problems = list(_of_headings(sheet.headings, names, known, needed, some_of or needed))
-    sizes = [1.0] * len(names)
-    for k, (name, (_, unit)) in enumerate(zip(names, parts, strict=True)):
-        if name in known:
-            sizes[k] = known[name].size(unit)
-            if math.isnan(sizes[k]):
-                problems.append(Problem("headings", as_text(sheet.headings[k]), known[name].wanted))
-    if problems:
-        raise InputError(problems, sheet.path)
+    names = [heading(cell)[0].casefold() for cell in sheet.headings]
+    sizes = units_of(sheet, names, known, needed=needed, some_of=some_of)
     columns: list[list[float]] = [[] for _ in names]
     wrong: list[tuple[int, Problem]] = []
     for row in sheet.rows:
@@ -239,7 +256,7 @@ def _too_much(column: Column, value: float) -> str:
 def _of_headings(
     cells: Sequence[str],
     names: Sequence[str],
-    known: Mapping[str, Column],
+    known: Collection[str],
     needed: Sequence[str],
     some: Sequence[str],
 ) -> Iterator[Problem]:

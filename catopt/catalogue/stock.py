@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,7 +14,7 @@ from catopt.catalogue.formula import Density, Formula, Polynomial, Rows
 from catopt.cells import read_workbook
 from catopt.dimensions import Dimension
 from catopt.errors import InputError, Problem
-from catopt.tables import Column, Row, Sheet, as_text, heading, number, read_sheet
+from catopt.tables import Column, Row, Sheet, as_text, heading, number, read_sheet, units_of
 from catopt.words import Cited, Message
 
 NUMBERS: Final[Mapping[str, Column]] = {
@@ -55,9 +54,12 @@ def read_stock(path: Path, source: str) -> Catalogue:
     document that it names was at hand.
     """
     sheet = _sheet(path, source)
-    names = _headings(sheet)
+    names = [_named(cell) for cell in sheet.headings]
+    known = {**NUMBERS, **dict.fromkeys(TEXTS)}
+    units = units_of(sheet, names, known, needed=NEEDED)
+    columns = list(zip(names, units, strict=True))
     problems: list[Problem] = []
-    sizes = [_size(row, sheet, names, problems) for row in sheet.rows]
+    sizes = [_size(row, sheet, columns, problems) for row in sheet.rows]
     if not problems:
         problems += _misfits(sizes)
     if problems:
@@ -90,37 +92,18 @@ def _sheet(path: Path, source: str) -> Sheet:
     return Sheet(source, tuple(rows.get(first, ())), below, 0, False)
 
 
-def _headings(sheet: Sheet) -> list[tuple[str, float]]:
-    """Name each column, with SI units in one of its unit; all that is wrong with them at once."""
-    known = {name.casefold(): name for name in (*NUMBERS, *TEXTS)}
-    one_of = Message("refused.one_of", words=", ".join(known.values()))
-    found: list[tuple[str, float]] = []
-    problems = []
-    for cell in sheet.headings:
-        said, unit = heading(cell)
-        name = known.get(said.casefold().replace(" ", "_"), "")
-        size = NUMBERS[name].size(unit) if name in NUMBERS else 1.0
-        if not name:
-            problems.append(Problem("headings", as_text(cell), one_of))
-        elif math.isnan(size) or size == 0.0:
-            problems.append(Problem("headings", as_text(cell), NUMBERS[name].wanted))
-        elif name in [each for each, _ in found]:
-            problems.append(Problem("headings", as_text(cell), Message("refused_study.twice")))
-        found.append((name, size))
-    for each in NEEDED:
-        if each not in [name for name, _ in found]:
-            missing = Message("refused_motion.missing", each=each)
-            problems.append(Problem("headings", "", missing))
-    if problems:
-        raise InputError(problems, sheet.path)
-    return found
+def _named(cell: str) -> str:
+    """Name a column by its heading, whatever its capitals; unknown ones as they are."""
+    said = heading(cell)[0]
+    small = said.casefold().replace(" ", "_")
+    return next((name for name in (*NUMBERS, *TEXTS) if name.casefold() == small), said)
 
 
 def _size(
-    row: Row, sheet: Sheet, names: Sequence[tuple[str, float]], problems: list[Problem]
+    row: Row, sheet: Sheet, columns: Sequence[tuple[str, float]], problems: list[Problem]
 ) -> _Size:
     texts, numbers = {}, {}
-    for (name, size), cell in zip(names, row.cells, strict=True):
+    for (name, unit), cell in zip(columns, row.cells, strict=True):
         place, said = f"line {row.line}, {name}", cell.strip()
         if not said and name in NEEDED:
             problems.append(
@@ -129,7 +112,7 @@ def _size(
         elif name in TEXTS:
             texts[name] = said
         elif said:
-            value = number(said, is_decimal_comma=sheet.is_decimal_comma) * size
+            value = number(said, is_decimal_comma=sheet.is_decimal_comma) * unit
             if not value > 0.0:
                 problems.append(Problem(place, as_text(said), Message("refused_file.above_0")))
             numbers[name] = value
