@@ -100,9 +100,7 @@ class Plausible(Checked):
             found.word("accept", name, NAMES, quoted=True)
         for key, name, allowed in beyond(self):
             if name not in names:
-                value = getattr(self, key)
-                several = value if isinstance(value, tuple) else (value,)
-                found.add(key, ", ".join(f"{each:g}" for each in several), allowed)
+                found.add(key, ", ".join(f"{each:g}" for each in _several(self, key)), allowed)
         found.raise_if_any()
 
 
@@ -113,15 +111,20 @@ def _ranged(of: type, table: str) -> tuple[tuple[str, Range], ...]:
     return tuple((name, known) for name, known in pairs if known is not None)
 
 
+def _several(part: Plausible, key: str) -> list[float]:
+    """List the numbers of an attribute, which may be one, several or none."""
+    value = getattr(part, key)
+    every = value if isinstance(value, tuple) else (value,)
+    return [each for each in every if each is not None]
+
+
 def beyond(part: Plausible) -> Iterator[tuple[str, str, Message]]:
     """Find the attributes beyond their range: key, name of the range, and what is allowed."""
     if getattr(part, "is_in_air", False):  # neither water nor depth
         return
     of: type = type(part)
     for key, known in _ranged(of, part.TABLE):
-        value = getattr(part, key)
-        several = value if isinstance(value, tuple) else (value,)
-        if any(each is not None and not known.least <= each <= known.most for each in several):
+        if any(not known.least <= each <= known.most for each in _several(part, key)):
             bounds = {"least": known.least, "most": f"{known.most:g}", "name": known.name}
             yield key, known.name, Message("refused_case.implausible", **bounds)
     weight, mass = getattr(part, "submerged_weight", None), getattr(part, "mass", None)
