@@ -41,11 +41,11 @@ OF = ShipAfloat(190.0, 32.0, 12.0, 18.0, gusts="none", reflection=1.0)
 CHAIN = Line([Segment(900.0, 1500.0, EA=9e8)])
 
 
-def spread(radius: float = 40.0) -> System:
-    """Eight lines all round, whose fairleads lie off the origin unless the radius is 0."""
+def spread(radius: float = 40.0, lines: int = 8, first: float = 22.5) -> System:
+    """Lines all round, whose fairleads lie off the origin unless the radius is 0; from deg on."""
     return System.around(
         CHAIN,
-        azimuths=[math.radians(45.0 * k + 22.5) for k in range(8)],
+        azimuths=[math.radians(360.0 / lines * k + first) for k in range(lines)],
         anchor_radius=880.0 + radius,
         fairlead_radius=radius,
         fairlead_height=DEPTH,

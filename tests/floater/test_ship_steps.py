@@ -38,25 +38,18 @@ from catopt.floater.two_scales import (
 from catopt.hydro.coefficients import Coefficients
 from catopt.loads import SeaState, SurfaceCurrent, Wind, ship_loads
 from catopt.loads.environment import Headings
-from catopt.model import ShipAfloat
 from catopt.mooring.net import room_for
 from catopt.mooring.under_loads import as_arrays
 from catopt.mooring.zero_load import net_of
 from catopt.waves import Waves, regular_wave
+from tests.floater.test_ship import CHAIN, OF
+from tests.floater.test_ship import spread as all_round
 
 DEPTH, RHO, G = 60.0, 1025.0, 9.80665
-OF = ShipAfloat(190.0, 32.0, 12.0, 18.0, gusts="none", reflection=1.0)
-CHAIN = Line([Segment(900.0, 1500.0, EA=9e8)])
 
 
 def spread(radius: float = 40.0) -> System:
-    return System.around(
-        CHAIN,
-        azimuths=[math.radians(90.0 * k + 20.0) for k in range(4)],
-        anchor_radius=880.0 + radius,
-        fairlead_radius=radius,
-        fairlead_height=DEPTH,
-    )
+    return all_round(radius, lines=4, first=20.0)
 
 
 STIFF = Line([Segment(900.0, 1500.0)])

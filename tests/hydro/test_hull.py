@@ -7,11 +7,11 @@ import math
 from collections.abc import Callable
 
 import numpy as np
-import numpy.typing as npt
 import pytest
 from scipy.integrate import quad
 from scipy.spatial.transform import Rotation
 
+from catopt.arrays import Array
 from catopt.hydro.build import FloatingHull, room_of, state_of
 from catopt.hydro.hull import (
     DAMPING,
@@ -35,7 +35,6 @@ from catopt.hydro.hull import (
 )
 from catopt.waves import Sea, regular_wave
 
-Array = npt.NDArray[np.float64]
 DEPTH, RHO, G = 40.0, 1025.0, 9.80665
 FOOT, TOP, RADIUS = np.array([0.0, 4.0]), np.array([4.0, 10.0]), np.array([2.0, 1.5])
 CENTRE = 3.5

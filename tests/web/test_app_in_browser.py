@@ -5,7 +5,6 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator
 from pathlib import Path
-from threading import Thread
 
 import pytest
 
@@ -33,14 +32,10 @@ MOST = 300.0
 """s, that a run of a ship may take on a busy machine, the first with what it compiles."""
 
 
-@pytest.fixture(scope="module")
-def server() -> Iterator[PageServer]:
-    with PageServer() as made:
-        thread = Thread(target=made.serve_forever)
-        thread.start()
-        yield made
-        made.shutdown()
-        thread.join()
+@pytest.fixture(scope="module", autouse=True)
+def no_runs_left() -> Iterator[None]:
+    """Forget what was run."""
+    yield
     runs._found.clear()
 
 

@@ -7,7 +7,6 @@ import json
 import random
 import socket
 import struct
-from collections.abc import Iterator
 from contextlib import closing
 from threading import Thread
 from typing import Any
@@ -19,16 +18,6 @@ from catopt.page_api.fields import START
 from catopt.web.build import PageServer
 
 QUESTION: dict[str, Any] = {"door": "line", "values": START["line"]}
-
-
-@pytest.fixture(scope="module")
-def server() -> Iterator[PageServer]:
-    with PageServer() as made:
-        thread = Thread(target=made.serve_forever)
-        thread.start()
-        yield made
-        made.shutdown()
-        thread.join()
 
 
 def reply(
