@@ -329,13 +329,18 @@ class Profile(Record):
     """Across x, to the left seen from the anchor; only in a current."""
 
 
-def lay_out(state: State, problem: LineProblem) -> tuple[tuple[Stretch, ...], tuple[float, float]]:
-    """Place every run of the line, from the anchor up; and where its upper end is, m."""
+def listed_runs(state: State, problem: LineProblem) -> tuple[LineIntervals, int]:
+    """List the runs of a solved line, from the fairlead down, and how many they are."""
+    room = most_runs(len(problem.pieces.length))
+    runs = LineIntervals([0] * room, [0] * room, *([0.0] * room for _ in range(5)))
+    return runs, runs_of(state, problem, runs)
+
+
+def lay_out(
+    state: State, problem: LineProblem, runs: LineIntervals, count: int
+) -> tuple[Stretch, ...]:
+    """Place every run of the line, from the anchor up."""
     pieces = problem.pieces
-    room = most_runs(len(pieces.length))
-    columns = [[0.0] * room for _ in range(5)]
-    runs = LineIntervals([0] * room, [0] * room, *columns)
-    count = runs_of(state, problem, runs)
     stretches: list[Stretch] = []
     start, x, z = 0.0, 0.0, problem.anchor_height
     for row in range(count - 1, -1, -1):
@@ -361,7 +366,7 @@ def lay_out(state: State, problem: LineProblem) -> tuple[tuple[Stretch, ...], tu
     if part != 1.0:
         # The ends of a slack line are drawn together: what carries no tension lies in bights.
         stretches = [replace(each, x=each.x * part, gathered=part) for each in stretches]
-    return tuple(stretches), (x * part, z)
+    return tuple(stretches)
 
 
 def end_of(stretch: Stretch, length: float) -> tuple[float, float]:

@@ -18,7 +18,7 @@ Plain functions of floats: they serve one line as they are and thousands of line
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import Any, Final, NamedTuple
 
 from catopt.compiled import inlined
 from catopt.model import Line
@@ -324,7 +324,20 @@ def joints_of(line: Line) -> tuple[int, ...]:
 
 
 def cut(line: Line) -> tuple[Pieces, tuple[int, ...]]:
-    """Cut a line at its joints and point loads; the pieces as lists, and the segment of each."""
+    """Cut a line at its joints and point loads; the pieces as lists, and the segment of each.
+
+    A line is frozen, so its pieces are kept on it; they are not to be written to.
+    """
+    kept: tuple[Pieces, tuple[int, ...]] | None = line.__dict__.get(_KEPT)
+    if kept is None:
+        kept = line.__dict__[_KEPT] = _cut(line)
+    return kept
+
+
+_KEPT: Final = "_pieces"
+
+
+def _cut(line: Line) -> tuple[Pieces, tuple[int, ...]]:
     count = len(line.segments) + len(line.point_loads)
     pieces = Pieces([0.0] * count, [0.0] * count, [0.0] * count, [0.0] * (2 * count + 2))
     owner = [0] * count

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, fields, replace
 from functools import cached_property
 from itertools import count
-from typing import Annotated, Any, Literal, NotRequired, TypedDict
+from typing import TYPE_CHECKING, Annotated, Any, Literal, NotRequired, Self, TypedDict
 
 from catopt.catenary.layout import LowestPoint, Profile, Stretch, lowest_point, sag_of, sample
 from catopt.catenary.state import Regime
@@ -191,8 +191,39 @@ class FoundQuantity(Record):
         return "m" if self.quantity == "length" else "N"
 
 
+class LaidOutLater:
+    """A frozen dataclass of which some fields are made when they are first read.
+
+    Who asks a thousand lines for their forces does not pay for a thousand shapes. The default of
+    such a field comes from a factory: a plain one stands on the class, and would be read for it.
+    """
+
+    @classmethod
+    def with_later(cls, later: Mapping[str, Callable[[Self], Any]], **known: Any) -> Self:
+        """Return one with the fields that are known, and what makes each of the others of it."""
+        made = object.__new__(cls)
+        made.__dict__.update(known, _later=later)
+        return made
+
+    if not TYPE_CHECKING:  # a checker of types would take any attribute to be there
+
+        def __getattr__(self, name: str) -> Any:
+            """Make a field and keep it; Python asks here for what it does not find."""
+            make = self.__dict__.get("_later", {}).get(name)
+            if make is None:
+                raise AttributeError(
+                    f"{type(self).__name__!r} has no {name!r}", name=name, obj=self
+                )
+            self.__dict__[name] = made = make(self)
+            return made
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Return every field, made: what is pickled or copied is whole."""
+        return {each.name: getattr(self, each.name) for each in fields(self)}  # type: ignore[arg-type]
+
+
 @dataclass(frozen=True, repr=False)
-class Solution(Displayable, Record):
+class Solution(LaidOutLater, Displayable, Record):
     """Equilibrium of one mooring line.
 
     Angles are inclinations above the horizontal, positive where the line rises towards the
@@ -238,7 +269,7 @@ class Solution(Displayable, Record):
     stretches: tuple[Stretch, ...]  # from the anchor up, cut where anything changes
     residual: Residual
     """By how much the line, laid out from the anchor, misses the fairlead."""
-    warnings: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = field(default_factory=tuple)
     """What an engineer should know before using the answer."""
     safety_factor: Factor = 1.0
     """Factor on the tension in every utilisation; 1 when none was asked for."""

@@ -13,7 +13,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from itertools import accumulate, pairwise
-from typing import Final, Literal
+from typing import Any, Final, Literal
 
 from catopt.catenary.equilibrium import (
     BY_FORCE,
@@ -26,7 +26,9 @@ from catopt.catenary.layout import (
     Stretch,
     end_of,
     lay_out,
+    listed_runs,
     max_tension,
+    runs_misfit,
     stretched_length,
     tension_at,
 )
@@ -259,12 +261,23 @@ def solution_of(
 ) -> Solution:
     """Lay out a line from its anchor and say by how much it misses its fairlead.
 
+    The shape, and what follows from it, is made when it is read.
+
     The state is a converged one with the span wanted; `known` is what was given of the load, as for
     `force_uncertainty`.
     """
-    stretches, (x, z) = lay_out(state, problem)
-    ends = [*[stretch.x for stretch in stretches[1:]], x]
-    solution = Solution(
+    runs, count = listed_runs(state, problem)
+    height, along = runs_misfit(state, problem, runs, count, state.span)
+    later: dict[str, Callable[[Solution], Any]] = {
+        "stretches": lambda _: lay_out(state, problem, runs, count),
+        "stretched_length": lambda solution: _stretched_length(solution.stretches),
+        "segments": lambda solution: _segments(line, segment_of, solution.stretches),
+        "point_loads": lambda solution: _point_loads(line, solution.stretches, touches),
+        "warnings": lambda solution: tuple(plausibility(solution)),
+    }
+    touches = state.regime not in (SUSPENDED, BELOW_ANCHOR)
+    return Solution.with_later(
+        later,
         line=line,
         method=method,
         regime=REGIMES[state.regime],
@@ -276,17 +289,15 @@ def solution_of(
         anchor=end_state(state.H_anchor, state.V_anchor),
         grounded_length=state.grounded,
         suspended_length=line.length - state.grounded,
-        stretched_length=math.fsum(map(stretched_length, stretches, ends)),
-        segments=_segments(line, segment_of, stretches),
-        point_loads=_point_loads(line, stretches, state.regime not in (SUSPENDED, BELOW_ANCHOR)),
-        stretches=stretches,
-        residual=Residual(
-            height=z - problem.fairlead_height,
-            span=x - state.span,
-            force_uncertainty=force_uncertainty(state, problem, known),
-        ),
+        residual=Residual(height, along, force_uncertainty(state, problem, known)),
     )
-    return solution.with_warnings(tuple(plausibility(solution)))
+
+
+def _stretched_length(stretches: Sequence[Stretch]) -> float:
+    """Length of a laid-out line under its tension, m."""
+    last = stretches[-1]
+    ends = [*(stretch.x for stretch in stretches[1:]), end_of(last, last.length)[0]]
+    return math.fsum(map(stretched_length, stretches, ends))
 
 
 def under_case(solution: Solution, case: Case) -> Solution:
