@@ -11,7 +11,12 @@ from catopt.answers.blocks import Rows, if_known, tabulate
 from catopt.words import Measure, Message, Several
 
 if TYPE_CHECKING:
-    from catopt.mooring.network_rest import FloatsInCurrent, LinesAtRest, LinesInCurrent
+    from catopt.mooring.network_rest import (
+        BodyAtRest,
+        FloatsInCurrent,
+        LinesAtRest,
+        LinesInCurrent,
+    )
 
 
 def floats_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
@@ -110,6 +115,68 @@ def buoyancy_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
             ),
             caption=Message("captions.buoyancy"),
         )
+
+
+def floating_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
+    """Tabulate how bodies float as their lines pull; nothing where no reserve is known."""
+    if all(each.floating.reserve is None for each in rest.bodies):
+        return
+    of = Rows(rest.bodies)
+    yield tabulate(
+        "floating",
+        of.texts("body", "body.name"),
+        of.measured("vertical_force", "floating.pull", "pulled_down_with", symbol=""),
+        of.measured("vertical_force", "floating.reserve", "reserve_buoyancy", symbol=""),
+        of.measured("vertical_force", "floating.left", "buoyancy_left", symbol=""),
+        of.measured("utilisation", "floating.share", "share_used"),
+        *if_known(
+            of.measured(
+                "height",
+                lambda each: None if each.floating.draught is None else -each.rise,
+                "deeper_by",
+                symbol="",
+            ),
+            of.measured("height", "floating.draught", "draught", symbol=""),
+            of.measured("height", "floating.freeboard", "freeboard", symbol=""),
+            of.measured(
+                "vertical_force",
+                lambda each: each.floating.bed_reaction or None,
+                "reaction_of_the_bed",
+                symbol="",
+            ),
+        ),
+        caption=Message("captions.floating"),
+    )
+
+
+def floating_on_card(rest: LinesAtRest) -> Iterator[blocks.Text]:
+    """Say which bodies their lines take under, and how deep the others float."""
+    for is_under in (True, False):
+        said = [_floats(each) for each in rest.bodies if each.floating.under is is_under]
+        if said:
+            key = "bodies_under" if is_under else "bodies_afloat"
+            yield blocks.Text(Message(f"mooring.{key}", bodies=Several(tuple(said), "; ")))
+
+
+def _floats(body: BodyAtRest) -> Message:
+    """Say how a body floats: its freeboard where it is known, and what is used of its reserve."""
+    floating = body.floating
+    values = {
+        "pull": Measure("vertical_force", floating.pull),
+        "reserve": Measure("vertical_force", floating.reserve),
+    }
+    if floating.freeboard is None or floating.draught is None:
+        return Message("mooring.pulled_down", name=body.body.name, **values)
+    freeboard = floating.freeboard
+    values |= {
+        "draught": Measure("height", floating.draught),
+        "freeboard": Measure("height", abs(freeboard)),
+    }
+    key = "sunk_by" if freeboard < 0.0 else "floats_at"
+    if floating.bed_reaction > 0.0:
+        values["reaction"] = Measure("vertical_force", floating.bed_reaction)
+        key = "lies_on_bed"
+    return Message(f"mooring.{key}", name=body.body.name, **values)
 
 
 def buoyancy_on_card(rest: LinesAtRest) -> Iterator[blocks.Text]:

@@ -24,7 +24,7 @@ from catopt.answers.blocks import (
     texts,
 )
 from catopt.answers.check import checked_body
-from catopt.answers.floats import buoyancy_tables, floats_tables
+from catopt.answers.floats import buoyancy_tables, floating_tables, floats_tables
 from catopt.answers.note import (
     basis_section,
     by_both,
@@ -500,6 +500,7 @@ def _pull(note: NetworkNote) -> float:
 def _joints(note: NetworkNote) -> Iterator[Block]:
     if note.rest.bodies:
         yield bodies_table(note.rest)
+        yield from floating_tables(note.rest)
     yield from floats_tables(note.rest)
     yield from buoyancy_tables(note.rest)
     if any(point.kind == "joint" for point in note.case.points):

@@ -22,6 +22,8 @@ from catopt.answers.check import verdict_blocks
 from catopt.answers.floats import (
     buoyancy_on_card,
     buoyancy_tables,
+    floating_on_card,
+    floating_tables,
     floats_on_card,
     floats_tables,
 )
@@ -356,7 +358,8 @@ def network_answer(
         )
         for number, each in enumerate(held, start=1 + len(bodies) - len(held))
     )
-    moved = [section("captions.bodies", bodies_table(rest))] if rest.bodies else []
+    bodies_tables = [bodies_table(rest), *floating_tables(rest)] if rest.bodies else []
+    moved = [section("captions.bodies", *bodies_tables)] if rest.bodies else []
     residual = max(each.joints.residual for each in (rest, *held))
     out = network_out_table(line_out, checks)
     lost = (blocks.Text(each.why_lost) for each in line_out if each.rest is None)
@@ -388,6 +391,7 @@ def network_answer(
     *_, shapes = places_tables(rest)
     in_current = network.current_at_rest is not None  # then its joints are said by how they move
     card: tuple[blocks.CardBlock, ...] = (
+        *floating_on_card(rest),
         *buoyancy_on_card(rest),
         *verdict_blocks(checks),
         *([out] if line_out else []),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
-from typing import Final, NamedTuple
+from typing import TYPE_CHECKING, Final, NamedTuple
 
 from catopt.catalogue.components import RECALLED
 from catopt.catenary.solution import Solution
@@ -14,6 +14,7 @@ from catopt.checks.kinds import (
     CHECK_KINDS,
     OF_LINE,
     QUANTITY_OF,
+    USER,
     CheckKind,
     Criterion,
     Demand,
@@ -26,6 +27,9 @@ from catopt.largest import largest
 from catopt.model import Anchor, Line, Segment
 from catopt.model.load import LoadCaseKind
 from catopt.words import Listed, Measure, Message, Several, term
+
+if TYPE_CHECKING:
+    from catopt.mooring.network_rest import BodyAtRest
 
 NO_CHECK: Final = "checks.none"
 """Key of the warning that nothing is checked."""
@@ -228,6 +232,29 @@ def check_buoyancy(
     for criterion in criteria.of("buoyancy", "extreme", place.state):
         found = Demand(pull, criterion.value, ratio_exceedance(pull, criterion.value))
         yield result_of("buoyancy", criterion, found, load_case, place)
+
+
+def check_afloat(
+    bodies: Iterable[BodyAtRest], load_case: str, place: Place
+) -> Iterator[CheckResult]:
+    """Hold the vertical pull of the lines of each body against its reserve of buoyancy.
+
+    One that floats deeper as it is pulled fails as soon as it is under water, where its lines pull
+    with all its reserve.
+    """
+    for each in bodies:
+        floating = each.floating
+        if floating.reserve is None:
+            continue
+        pull, freeboard = floating.pull, floating.freeboard
+        found = Demand(pull, floating.reserve, ratio_exceedance(pull, floating.reserve))
+        if freeboard is not None and freeboard < 0.0:
+            said = Message("checks.under_water", under=Measure("height", -freeboard))
+            deep = max(found.exceedance, -freeboard / math.fsum(each.body.afloat[1:]))
+            found = found._replace(exceedance=deep, note=said)
+        name = Message("checks.buoyancy_of", name=each.body.name)
+        own = Criterion("buoyancy", floating.reserve, USER)
+        yield result_of("buoyancy", own, found, load_case, place, name)
 
 
 def segment_words(segment: Segment, index: int) -> Message:

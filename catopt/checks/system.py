@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 from catopt.checks.criteria import HORIZONTAL_PULL, Criteria, Strength, criteria_of
 from catopt.checks.evaluation import (
     Lifted,
+    check_afloat,
     check_buoyancy,
     evaluate,
     of_criteria,
@@ -243,6 +244,7 @@ def check_network(
                 kind="extreme",
                 place=own,
             )
+        results += check_afloat(found.bodies, state_words(place), place)
     warnings = (
         *(
             said

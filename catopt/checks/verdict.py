@@ -211,6 +211,15 @@ def _soil_words(of: Matter) -> Message:
     return Message("verdict.soil", friction=of.case.anchor.friction)
 
 
+def _has_free_bodies(of: Matter) -> bool:
+    return any(getattr(of.case, "bodies", ()))
+
+
+def _floats_enough(of: Matter) -> bool:
+    """Whether of each free body of a network it is known what takes it under."""
+    return all(body.floats or body.reserve_buoyancy for body in getattr(of.case, "bodies", ()))
+
+
 def _deck_words(of: Matter) -> Message:
     assert of.deck is not None
     return of.deck
@@ -237,6 +246,7 @@ SUBJECTS: Final[dict[str, Subject]] = {
     "deck": Subject(lambda of: of.deck is not None, ways=("size",), words=_deck_words),
     "grounding": Subject(lambda of: of.has_said("sizing.touches_bed")),
     "soil": Subject(_slides, ways=("case", "size", "page"), words=_soil_words),
+    "reserve": Subject(_has_free_bodies, _floats_enough, ("case",)),
     "heel": Subject(_is_buoy_in_motion, lambda of: of.has_check("heel"), ways=("case", "size")),
     "plausible": Subject(
         lambda of: of.case is not None and bool(of.case.accept), words=_accepted_words

@@ -7,7 +7,7 @@ import math
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, ClassVar, Final, Literal
 
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import Problem, refused
@@ -26,7 +26,9 @@ from catopt.model.kinds import (
     Moment,
     Place,
     Size,
+    SomeArea,
     SomeMass,
+    Strength,
     Text,
 )
 from catopt.model.line import Line, drag_missing, point_drag_misfits, weightless
@@ -158,11 +160,16 @@ def _check_float(given: dict[str, object], found: Findings) -> None:
         found.add("mass", "", Message("refused_case.float_height_wants_mass"))
 
 
+WATERPLANE: Final = ("waterplane_area", "draught", "freeboard")
+"""Keys of a body that say how it floats."""
+
+
 @dataclass(frozen=True)
 class MooredBody(Checked):
-    """A body under a load, free in x, y and, where it can, in yaw; it keeps its height.
+    """A body under a load, free in x, y and, where it can, in yaw.
 
-    Its own axes lie along x and y when its yaw is 0.
+    Its own axes lie along x and y when its yaw is 0. It keeps its height, unless its waterplane is
+    given: then it floats, deeper as its lines pull it down, and upright.
     """
 
     name: PointName
@@ -176,12 +183,38 @@ class MooredBody(Checked):
     """About the vertical, counter-clockwise, N m."""
     yaw_free: bool | None = None
     """Whether it turns. None: it does where a fairlead lies off its origin."""
+    reserve_buoyancy: Strength | None = None
+    """Vertical pull that takes it under, N. None: that of its waterplane, or not known."""
+    waterplane_area: SomeArea | None = None
+    """Of a body with vertical sides, m2; with `draught` and `freeboard`, without its lines."""
+    draught: Length | None = None
+    freeboard: Length | None = None
 
     def _check(self, found: Findings) -> None:
         if not self.name:
             found.add("name", "", Message("refused_case.missing_lines_name_point_by"))
         object.__setattr__(self, "force", tuple(self.force) or (0.0, 0.0))
-        found.check("x", "y", "force", "moment")
+        found.check("x", "y", "force", "moment", "reserve_buoyancy", *WATERPLANE)
+        missing = [key for key in WATERPLANE if getattr(self, key) is None]
+        if 0 < len(missing) < len(WATERPLANE):
+            for key in missing:
+                found.add(key, "", Message("refused_case.waterplane_wants_three"))
+        if len(missing) < len(WATERPLANE) and self.reserve_buoyancy is not None:
+            allowed = Message("refused_case.reserve_is_of_waterplane")
+            found.add("reserve_buoyancy", f"{self.reserve_buoyancy:g} N", allowed)
+
+    @property
+    def floats(self) -> bool:
+        """Whether it floats deeper as its lines pull it down."""
+        return self.waterplane_area is not None
+
+    @property
+    def afloat(self) -> tuple[float, float, float]:
+        """Of one that floats: area of its waterplane, draught and freeboard; m2, m, m."""
+        assert self.waterplane_area is not None
+        assert self.draught is not None
+        assert self.freeboard is not None
+        return self.waterplane_area, self.draught, self.freeboard
 
 
 @dataclass(frozen=True)
@@ -287,6 +320,17 @@ class Network(Checked):
         if self.anchor is not None and self.anchor.max_slide is not None:
             allowed = Message("refused_case.of_lines_in_motion")
             found.add("anchor.max_slide", f"{self.anchor.max_slide:g} m", allowed)
+
+    def per_metre(self, body: MooredBody) -> float:
+        """Say how much more water carries of a body that floats a metre deeper, N/m."""
+        area, *_ = body.afloat
+        return self.site.water_density * STANDARD_GRAVITY * area
+
+    def reserve_of(self, body: MooredBody) -> float | None:
+        """Return the vertical pull that takes a body under, N; None where it is not known."""
+        if not body.floats:
+            return body.reserve_buoyancy
+        return self.per_metre(body) * body.afloat[2]
 
     @property
     def current_at_rest(self) -> CurrentProfile | None:

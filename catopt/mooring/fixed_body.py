@@ -24,10 +24,12 @@ from catopt.mooring.chains import Row, apart, check_afloat, check_floats, in_row
 from catopt.mooring.in_current import rest_in_current
 from catopt.mooring.joints import (
     UNIT,
+    Ends,
     Freed,
     JointsAtRest,
     Matrix,
     Moored,
+    Pose,
     Run,
     Vector,
     assembled,
@@ -42,6 +44,7 @@ from catopt.mooring.joints import (
 )
 from catopt.mooring.network_rest import (
     BodyAtRest,
+    FloatingBody,
     FloatsInCurrent,
     HeldBody,
     HeldLine,
@@ -241,7 +244,7 @@ def _loaded_alone(
     except CatoptError:
         raise error from None
     _, held = _ends_held(whole, displacement)
-    nowhere = found._replace(poses=((math.nan,) * 3,) * len(found.poses))
+    nowhere = found._replace(poses=(Pose(*(math.nan,) * 4),) * len(found.poses))
     start = WithoutLoad(network, rows, displacement, whole, runs, held, nowhere)
     return start.apart(network, whole, found)
 
@@ -291,8 +294,8 @@ class WithoutLoad:
         return self._with_floats(lambda start: start._held_at(x, y))
 
     def _held_at(self, x: float, y: float) -> LinesAtRest:
-        ((along, across, yaw),) = self.found.poses
-        there = self.found._replace(poses=((along + x, across + y, yaw),))
+        (pose,) = self.found.poses
+        there = self.found._replace(poses=(pose._replace(x=pose.x + x, y=pose.y + y),))
         whole = self.whole.unloaded()
         found = joints_at_rest(whole, self.runs, self.held, there, pinned=True)
         return self.apart(self.network.unloaded(), whole, found)
@@ -307,6 +310,7 @@ class WithoutLoad:
                 _position(body.body, pose),
                 _position(body.body, before),
                 _in_plan(whole, self.runs, found, k),
+                _floating(network, body, pose, self.runs, found.ends),
             )
             for k, (body, pose, before) in enumerate(poses)
         )
@@ -351,12 +355,12 @@ def _in_current(
     bodies = tuple(
         replace(
             body,
-            body=given,
-            position=_position(given, pose),
+            position=_position(each.body, pose),
             stiffness=_in_plan(network, still.runs, found, k),
+            floating=_floating(network, each, pose, still.runs, found.ends),
         )
-        for k, (body, given, pose) in enumerate(
-            zip(still.bodies, network.bodies, found.poses, strict=True)
+        for k, (body, each, pose) in enumerate(
+            zip(still.bodies, moored(network, 0), found.poses, strict=True)
         )
     )
     return LinesInCurrent(
@@ -388,10 +392,25 @@ def _floats_in_current(
     )
 
 
-def _position(body: MooredBody, pose: Vector) -> Position:
+def _position(body: MooredBody, pose: Pose) -> Position:
     """Name a pose by where the origin is, and a yaw above -pi and up to pi rad."""
-    yaw = math.nan if math.isnan(pose[2]) else -math.remainder(-pose[2], math.tau)
-    return Position(body.x + pose[0], body.y + pose[1], math.pi if yaw == -math.pi else yaw)
+    yaw = math.nan if math.isnan(pose.yaw) else -math.remainder(-pose.yaw, math.tau)
+    return Position(body.x + pose.x, body.y + pose.y, math.pi if yaw == -math.pi else yaw)
+
+
+def _floating(
+    network: Network, body: Moored, pose: Pose, runs: Sequence[Run], ends: Sequence[Ends]
+) -> FloatingBody:
+    """Say what lines pull a body down with, and how it floats under that."""
+    pull = math.fsum(-force[2] for k, force in pulls_of(runs, ends) if k in body.arms)
+    reserve = network.reserve_of(body.body)
+    if not body.body.floats:
+        return FloatingBody(pull, reserve)
+    _, draught, freeboard = body.body.afloat
+    left, per_metre = freeboard + pose.rise, network.per_metre(body.body)
+    wet = min(max(draught - pose.rise, 0.0), draught + freeboard)
+    laid = max(pull - per_metre * (wet - draught), 0.0) if body.is_on_bed(pose) else 0.0
+    return FloatingBody(pull, reserve, draught - pose.rise, left, laid)
 
 
 def _in_place(
@@ -448,14 +467,16 @@ def _by_six(arms: Mapping[int, Vector]) -> dict[int, Matrix]:
 def _in_plan(network: Network, runs: Sequence[Run], found: JointsAtRest, number: int) -> Matrix:
     """Build the 3 x 3 stiffness of a free body in x, y and yaw, all else free to follow."""
     bodies = moored(network, 3 * sum(point.kind == "joint" for point in network.points))
-    own, yaw = bodies[number]._replace(turns=True, first=0), found.poses[number][2]
-    scale = (1.0, 1.0, own.arm)
+    own, yaw = bodies[number]._replace(turns=True, first=0), found.poses[number].yaw
+    scale = (1.0, 1.0, own.arm, 1.0)
+    # Its height is free to follow as joints are, and comes before what it moves by.
     follows = {
-        k: tuple(tuple(map(float.__mul__, row, scale)) for row in by)
+        k: tuple((*row[3:], *map(float.__mul__, row[:3], scale)) for row in by)
         for k, (_, by) in own.motions(yaw).items()
     }
     others = [body for k, body in enumerate(bodies) if k != number]
-    rows = _condensed(network, runs, found, follows, 3, others)
+    up = [_stiffness_afloat(network, own, found.poses[number])] if own.body.floats else []
+    rows = _condensed(network, runs, found, follows, 3, others, up)
     rows[2][2] += by_turning(runs, found.ends, own, yaw)
     return tuple(tuple(row) for row in rows)
 
@@ -467,37 +488,31 @@ def _condensed(
     follows: Mapping[int, Matrix],
     size: int,
     others: Sequence[Moored] = (),
+    own_up: Sequence[float] = (),
 ) -> list[list[float]]:
     """Build the stiffness of a body, the joints and the other bodies free to follow it.
 
-    `follows`: how its fairleads move by its freedoms, of which there are `size`.
+    `follows`: how its fairleads move by its freedoms, of which there are `size`, after its height
+    where that is free to follow, too: of water it is as stiff as `own_up`, N/m.
     """
-    joints = [k for k, point in enumerate(network.points) if point.kind == "joint"]
-    motions = {point: (3 * k, UNIT) for k, point in enumerate(joints)}
-    free = 3 * len(joints)
-    turning = []
-    for body in others:
-        pose = found.poses[network.bodies.index(body.body)]
-        motions |= body._replace(first=free).motions(pose[2])
-        if body.turns:
-            turning.append((free + 2, by_turning(runs, found.ends, body, pose[2]) / body.arm**2))
-        free += body.freedoms
+    motions, added, free = _following(network, runs, found, others)
     motions |= {k: (free, by) for k, by in follows.items()}
+    added |= dict(enumerate(own_up, start=free))
+    free += len(own_up)
     matrix = assembled(runs, found.ends, motions, free + size)
     own = [row[free:] for row in matrix[free:]]
     if not free:
         return own
-    for k, more in turning:
-        matrix[k][k] += more
     inner, coupled = [row[:free] for row in matrix[:free]], [row[free:] for row in matrix[:free]]
-    for k, point in enumerate(joints):
-        more = _stiffness_up(network.points[point], found.reactions[point], found.lost[point])
+    for k, more in added.items():
         if math.isinf(more):
-            inner[3 * k + 2] = [float(i == 3 * k + 2) for i in range(free)]
-            coupled[3 * k + 2] = [0.0] * size
+            inner[k] = [float(i == k) for i in range(free)]
+            coupled[k] = [0.0] * size
         else:
-            inner[3 * k + 2][3 * k + 2] += more
-    least = _LOOSE * max(matrix[i][i] for i in range(free + size))
+            inner[k][k] += more
+    least = _LOOSE * max(
+        matrix[i][i] + added.get(i, 0.0) for i in range(free + size) if added.get(i) != math.inf
+    )
     for i in range(free):
         inner[i][i] += least  # where slack lines meet
     follow = solve(inner, coupled)
@@ -507,11 +522,44 @@ def _condensed(
     return own
 
 
+def _following(
+    network: Network, runs: Sequence[Run], found: JointsAtRest, others: Sequence[Moored]
+) -> tuple[dict[int, tuple[int, Matrix]], dict[int, float], int]:
+    """Say how points move by the freedoms of joints and of other bodies, and how many these are.
+
+    In between, what their stiffness has beside that of lines: as arms turn, of the surface and of
+    the bed, N/m by freedom.
+    """
+    joints = [k for k, point in enumerate(network.points) if point.kind == "joint"]
+    motions = {point: (3 * k, UNIT) for k, point in enumerate(joints)}
+    free, added = 3 * len(joints), dict[int, float]()
+    for point, k in zip(joints, range(2, free, 3), strict=True):
+        at = network.points[point]
+        added[k] = _stiffness_up(at, found.reactions[point], found.lost[point])
+    for each in others:
+        body, pose = each._replace(first=free), found.poses[network.bodies.index(each.body)]
+        motions |= body.motions(pose.yaw)
+        if body.turns:
+            added[body.turn] = by_turning(runs, found.ends, body, pose.yaw) / body.arm**2
+        if body.up >= 0:
+            added[body.up] = _stiffness_afloat(network, body, pose)
+        free += body.freedoms
+    return motions, added, free
+
+
 def _stiffness_up(point: Point, reaction: float, lost: float) -> float:
     """Say how stiffly bed and surface hold a joint, N/m: inf where it stays on one of them."""
     if not 0.0 < lost < point.lost_above:
         return math.inf if reaction > 0.0 else 0.0
     return point.lost_above / point.float_height if point.float_height else math.inf
+
+
+def _stiffness_afloat(network: Network, body: Moored, pose: Pose) -> float:
+    """Say how stiffly water holds a body that floats, N/m: inf where it lies on the bed."""
+    _, draught, freeboard = body.body.afloat
+    is_partly_wet = -freeboard < pose.rise < draught
+    water = network.per_metre(body.body) if is_partly_wet else 0.0
+    return math.inf if body.is_on_bed(pose) else water
 
 
 def _rotation(roll: float, pitch: float, yaw: float) -> Matrix:

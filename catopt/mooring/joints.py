@@ -67,13 +67,22 @@ class Run(NamedTuple):
     segment_of: tuple[int, ...]
 
 
+class Pose(NamedTuple):
+    """How far a body is moved and turned from where it is given, and is higher; m, m, rad, m."""
+
+    x: float = 0.0
+    y: float = 0.0
+    yaw: float = 0.0
+    rise: float = 0.0
+
+
 class JointsAtRest(NamedTuple):
     """Lines whose joints have come to rest: x, y and height (m) of every point, ends of every line.
 
     reactions (N) are those with which the bed carries each point, residual the largest force left
-    over at a joint or a body (N), steps those of Newton's method, poses how far each free body is
-    moved and turned from where it is given (m, m, rad), lost what each float loses of its pull
-    upwards because it is out of the water (N).
+    over at a joint or a body (N), steps those of Newton's method, poses how each free body is moved
+    from where it is given, lost what each float loses of its pull upwards because it is out of the
+    water (N).
     """
 
     places: tuple[Vector, ...]
@@ -81,7 +90,7 @@ class JointsAtRest(NamedTuple):
     reactions: tuple[float, ...]
     residual: float
     steps: int
-    poses: tuple[Vector, ...] = ()
+    poses: tuple[Pose, ...] = ()
     lost: tuple[float, ...] = ()
 
 
@@ -159,17 +168,36 @@ def joints_at_rest(
 
 
 class Moored(NamedTuple):
-    """A free body among the freedoms: x and y, and yaw by its longest arm (m) where it turns."""
+    """A free body among the freedoms: x and y, yaw by its longest arm where it turns, and height.
+
+    One that floats is as high as its lowest point is over the bed: at its `level` without lines, m;
+    else it keeps its height, at a level of 0. `arms` are those of its fairleads, m.
+    """
 
     body: MooredBody
     arms: Mapping[int, Vector]
     turns: bool
     first: int
+    level: float = 0.0
 
     @property
     def freedoms(self) -> int:
         """How many freedoms it has."""
-        return 3 if self.turns else 2
+        return 2 + self.turns + self.body.floats
+
+    @property
+    def turn(self) -> int:
+        """Which freedom is its yaw; -1: none."""
+        return self.first + 2 if self.turns else -1
+
+    @property
+    def up(self) -> int:
+        """Which freedom is its height; -1: none."""
+        return self.first + self.freedoms - 1 if self.body.floats else -1
+
+    def is_on_bed(self, pose: Pose) -> bool:
+        """Whether it has sunk so far, or the water fallen, that it lies on the bed."""
+        return self.body.floats and self.level + pose.rise <= 0.0
 
     @property
     def arm(self) -> float:
@@ -181,20 +209,20 @@ class Moored(NamedTuple):
         c, s = math.cos(yaw), math.sin(yaw)
         return {k: (c * x - s * y, s * x + c * y, z) for k, (x, y, z) in self.arms.items()}
 
-    def places(self, pose: Vector) -> dict[int, Vector]:
+    def places(self, pose: Pose) -> dict[int, Vector]:
         """Place its fairleads, m."""
-        x, y, yaw = self.body.x + pose[0], self.body.y + pose[1], pose[2]
-        return {k: (x + a, y + b, z) for k, (a, b, z) in self.turned(yaw).items()}
+        x, y = self.body.x + pose.x, self.body.y + pose.y
+        return {k: (x + a, y + b, z + pose.rise) for k, (a, b, z) in self.turned(pose.yaw).items()}
 
     def motions(self, yaw: float) -> dict[int, tuple[int, Matrix]]:
-        """Say how each fairlead moves by the freedoms, of which the third is yaw in m."""
-        arm, of = self.arm, self.turned(yaw).items()
-        if not self.turns:
-            return {k: (self.first, ((1.0, 0.0), (0.0, 1.0), (0.0, 0.0))) for k, _ in of}
-        return {
-            k: (self.first, ((1.0, 0.0, -b / arm), (0.0, 1.0, a / arm), (0.0, 0.0, 0.0)))
-            for k, (a, b, _) in of
-        }
+        """Say how each fairlead moves by its freedoms, of which yaw is in m."""
+        found = {}
+        for k, (a, b, _) in self.turned(yaw).items():
+            ways = [(1.0, 0.0, 0.0), (0.0, 1.0, 0.0)]
+            ways += [(-b / self.arm, a / self.arm, 0.0)] if self.turns else []
+            ways += [(0.0, 0.0, 1.0)] if self.body.floats else []
+            found[k] = (self.first, tuple(zip(*ways, strict=True)))
+        return found
 
 
 class Freed(NamedTuple):
@@ -217,7 +245,7 @@ def freed(
     """Say by which freedoms a network moves, and where to begin."""
     joints = [k for k, point in enumerate(network.points) if point.kind == "joint"]
     bodies = moored(network, 3 * len(joints))
-    poses = ((0.0, 0.0, 0.0),) * len(bodies) if known is None else known.poses
+    poses = (Pose(),) * len(bodies) if known is None else known.poses
     fixed = {**held}
     for body, pose in zip(bodies, poses, strict=True):
         fixed |= body.places(pose)
@@ -225,8 +253,9 @@ def freed(
     net = _net(network, runs, held, joints, bodies, pinned)
     room = room_for(net)
     room.q[:] = [each for k in joints for each in _in_water(network, k, places[k])]
-    for body, (x, y, yaw) in zip(bodies, poses, strict=True):
-        room.q.extend((x, y, yaw * body.arm)[: body.freedoms])
+    for body, (x, y, yaw, rise) in zip(bodies, poses, strict=True):
+        room.q.extend((x, y, *([yaw * body.arm] if body.turns else [])))
+        room.q.extend([max(body.level + rise, 0.0)] if body.body.floats else [])
     for k, ends in enumerate(() if known is None else known.ends):
         _guess(k, ends, room)
     return Freed(net, room, joints, bodies)
@@ -276,20 +305,32 @@ def _net(
     for moves in bodies:
         of, first = moves.body, len(net.pull)
         for k, (x, y, height) in moves.arms.items():
-            net.base[3 * k : 3 * k + 3] = of.x, of.y, height
+            net.base[3 * k : 3 * k + 3] = of.x, of.y, height - moves.level
             net.arm[2 * k : 2 * k + 2] = x, y
-            net.freedom[4 * k : 4 * k + 2] = first, first + 1
-            net.freedom[4 * k + 3] = first + 2 if moves.turns else -1
-        loads = (*of.force, of.moment / moves.arm)
-        net.pull.extend(loads[: moves.freedoms])
-        in_plan = PINNED if pinned else FREE
-        net.kind.extend((in_plan, in_plan, TURNS)[: moves.freedoms])
-        net.scale.extend((1.0, 1.0, moves.arm)[: moves.freedoms])
-        net.surface.extend((math.inf,) * moves.freedoms)
-        net.buoyancy.extend((0.0,) * moves.freedoms)
-        net.height.extend((0.0,) * moves.freedoms)
+            net.freedom[4 * k : 4 * k + 4] = first, first + 1, moves.up, moves.turn
+        in_plan, in_yaw = PINNED if pinned else FREE, int(moves.turns)
+        net.pull.extend((*of.force, *[of.moment / moves.arm] * in_yaw))
+        net.kind.extend((in_plan, in_plan, *[TURNS] * in_yaw))
+        net.scale.extend((1.0, 1.0, *[moves.arm] * in_yaw))
+        net.surface.extend((math.inf,) * (2 + in_yaw))
+        net.buoyancy.extend((0.0,) * (2 + in_yaw))
+        net.height.extend((0.0,) * (2 + in_yaw))
+        if of.floats:
+            _float_body(network, moves, net)
         net.group.append(len(net.pull))
     return net
+
+
+def _float_body(network: Network, moves: Moored, net: Net) -> None:
+    """Let a body float: all of it under water pulls up with its reserve, and loses that above."""
+    _, draught, freeboard = moves.body.afloat
+    per_metre = network.per_metre(moves.body)
+    net.pull.append(per_metre * freeboard)
+    net.kind.append(OVER_THE_BED)
+    net.scale.append(1.0)
+    net.surface.append(moves.level + draught)
+    net.buoyancy.append(per_metre * (draught + freeboard))
+    net.height.append(draught + freeboard)
 
 
 def fixed_net(runs: Sequence[Run], places: Sequence[Vector], frictions: Sequence[float]) -> Net:
@@ -363,7 +404,7 @@ def _check_found(network: Network, runs: Sequence[Run], of: Freed, under: Under)
     if status == CONVERGED:
         return
     if status == TURNS_OVER:
-        (turned,) = (each.body for each in of.bodies if each.first <= number < each.first + 3)
+        (turned,) = (each.body for each in of.bodies if each.turn == number)
         said = Message("mooring.body_turns_over", name=turned.name, moment=turned.moment)
         raise NoEquilibriumError(said, "moment", abs(turned.moment))
     if number >= 0:
@@ -388,17 +429,22 @@ def _found(of: Freed, under: Under) -> JointsAtRest:
     return JointsAtRest(tuple(places), ends, tuple(reactions), left, steps, poses, tuple(lost))
 
 
-def pose_of(body: Moored, q: Sequence[float]) -> Vector:
-    """Say how far a body is moved and turned from where it is given; m, m, rad."""
-    x, y, *turn = q[body.first : body.first + body.freedoms]
-    return x, y, sum(turn) / body.arm
+def pose_of(body: Moored, q: Sequence[float]) -> Pose:
+    """Say how far a body is moved and turned from where it is given."""
+    yaw = q[body.turn] / body.arm if body.turns else 0.0
+    rise = q[body.up] - body.level if body.body.floats else 0.0
+    return Pose(q[body.first], q[body.first + 1], yaw, rise)
 
 
 def moored(network: Network, first: int) -> tuple[Moored, ...]:
     """Lay out the free bodies of a network after so many freedoms of its joints."""
     found: list[Moored] = []
     for body in network.bodies:
-        found.append(Moored(body, network.arms_of(body), network.turns(body), first))
+        arms, level = network.arms_of(body), 0.0
+        if body.floats:
+            bottom = network.site.water_depth - body.afloat[1]
+            level = min(bottom, *(height for _, _, height in arms.values()))
+        found.append(Moored(body, arms, network.turns(body), first, level))
         first += found[-1].freedoms
     return tuple(found)
 
@@ -512,6 +558,10 @@ def _start(network: Network, runs: Sequence[Run], held: dict[int, Vector]) -> li
 def check_rest(network: Network, runs: Sequence[Run], found: JointsAtRest) -> None:
     """Refuse what lies where friction leaves it open, and floats lifted out of the water."""
     site = network.site
+    for body, pose in zip(moored(network, 0), found.poses, strict=True):
+        if site.seabed_friction > 0.0 and body.is_on_bed(pose):
+            said = Message("mooring.body_on_bed", name=body.body.name)
+            raise NoEquilibriumError(said, "force", 0.0)
     for point, reaction in zip(network.points, found.reactions, strict=True):
         if reaction > 0.0 and site.seabed_friction > 0.0:
             said = Message("mooring.joint_on_bed", name=point.name, reaction=reaction)

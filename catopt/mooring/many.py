@@ -14,7 +14,7 @@ from catopt.catenary.state import CONVERGED
 from catopt.errors import NoAnswerError, NotConvergedError
 from catopt.model.network import MooredBody, Network
 from catopt.mooring.fixed_body import WithoutLoad, without_load
-from catopt.mooring.joints import is_anchored, pose_of
+from catopt.mooring.joints import is_anchored, moored, pose_of
 from catopt.mooring.under_loads import PER_LINE, rested
 
 __all__ = ["NetworkSolutions", "solve_network_many"]
@@ -63,8 +63,8 @@ def solve_network_many(network: Network, *, force: npt.ArrayLike) -> NetworkSolu
     of = start.as_numbers()
     loads = np.tile(of.net.pull, (count, 1))
     for each, own in zip(of.bodies, np.moveaxis(forces, 1, 0), strict=True):
-        scaled = own / [1.0, 1.0, each.arm]
-        loads[:, each.first : each.first + each.freedoms] = scaled[:, : each.freedoms]
+        scaled, count_own = own / [1.0, 1.0, each.arm], 2 + each.turns
+        loads[:, each.first : each.first + count_own] = scaled[:, :count_own]
     alone, reasons = np.ones(count, bool), {}
     poses = np.full((count, len(of.bodies), 3), np.nan)
     found, left = np.full((count, lines, PER_LINE), np.nan), np.full(count, np.nan)
@@ -73,7 +73,7 @@ def solve_network_many(network: Network, *, force: npt.ArrayLike) -> NetworkSolu
         q = np.reshape(under.q, (count, -1))
         found = np.reshape(under.lines, (count, lines, PER_LINE))
         alone = _to_be_told(start, np.reshape(under.codes, (count, 3))[:, 0], q, found)
-        poses = np.array([[pose_of(each, row) for each in of.bodies] for row in q.tolist()])
+        poses = np.array([[pose_of(each, row)[:3] for each in of.bodies] for row in q.tolist()])
         left = np.array(under.left, float)
     for load in np.flatnonzero(alone).tolist():
         poses[load], found[load], left[load] = np.nan, np.nan, np.nan
@@ -82,7 +82,8 @@ def solve_network_many(network: Network, *, force: npt.ArrayLike) -> NetworkSolu
         except (NoAnswerError, NotConvergedError) as error:
             reasons[load] = error.message
             continue
-        poses[load], left[load] = rest.joints.poses, rest.residual
+        poses[load] = [pose[:3] for pose in rest.joints.poses]
+        left[load] = rest.residual
         ends = rest.joints.ends
         found[load] = [
             (*each.first, *each.second, each.state.grounded, each.state.span) for each in ends
@@ -121,6 +122,9 @@ def _to_be_told(start: WithoutLoad, status: Codes, q: Array, found: Array) -> Fl
             alone |= height > network.site.water_depth
         if has_friction:
             alone |= height <= 0.0
+    if has_friction:
+        for body in moored(network, 3 * len(joints)):
+            alone |= q[:, body.up] <= 0.0 if body.body.floats else False
     for k, run in enumerate(start.runs):
         if has_friction and not is_anchored(network, run):
             alone |= found[:, k, 6] > 0.0

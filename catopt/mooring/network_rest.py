@@ -95,12 +95,47 @@ class HeldBody(Record):
 
 
 @dataclass(frozen=True)
+class FloatingBody(Record):
+    """What lines pull a free body down with, and how it floats under that."""
+
+    DOCUMENT = "pull reserve left under draught freeboard bed_reaction"
+
+    pull: Force
+    """Downwards, of all its lines."""
+    reserve: SomeForce | None
+    """Pull that takes it under; None where it is not known."""
+    draught: Place | None = None
+    """None of a body that keeps its height, as the next; below 0 it is out of the water."""
+    freeboard: Place | None = None
+    """Below 0 it is under water."""
+    bed_reaction: SomeForce = 0.0
+    """With which the bed carries it."""
+
+    @property
+    def left(self) -> Force | None:
+        """What its lines may still add before it goes under."""
+        return None if self.reserve is None else self.reserve - self.pull
+
+    @property
+    def share(self) -> float | None:
+        """Part of the reserve that its lines use."""
+        return None if self.reserve is None else self.pull / self.reserve
+
+    @property
+    def under(self) -> bool | None:
+        """Whether its lines take it under; None where its reserve is not known."""
+        if self.freeboard is not None:
+            return self.freeboard < 0.0
+        return None if self.reserve is None else self.pull > self.reserve
+
+
+@dataclass(frozen=True)
 class BodyAtRest(Record):
     """A free body at rest under its load."""
 
     DOCUMENT = (
         "body.name body.force body.moment turns=yaw_is_free position zero_load_position "
-        "offset stiffness"
+        "offset stiffness floating"
     )
 
     body: MooredBody
@@ -112,7 +147,9 @@ class BodyAtRest(Record):
     """Without load on any body; nan where the mooring does not rest so."""
     stiffness: Annotated[tuple[Three, ...], Size(3, 3)]
     """N/m, N, N m/rad: minus the derivatives of the pull of its lines by x, y and yaw, joints and
-    other bodies free to follow."""
+    other bodies free to follow, and its height where it floats."""
+    floating: FloatingBody
+    """How it floats."""
 
     @property
     def is_held(self) -> bool:
@@ -128,7 +165,14 @@ class BodyAtRest(Record):
     def moved(self) -> tuple[float, ...]:
         """From where it is given, by FREEDOMS: m and rad."""
         x, y = self.position.x - self.body.x, self.position.y - self.body.y
-        return (x, y, 0.0, 0.0, 0.0, self.position.yaw)
+        return (x, y, self.rise, 0.0, 0.0, self.position.yaw)
+
+    @property
+    def rise(self) -> float:
+        """From the height at which it floats without lines, m; 0 of one that keeps its height."""
+        if self.floating.draught is None:
+            return 0.0
+        return self.body.afloat[1] - self.floating.draught
 
     @property
     def zero_load_position(self) -> Position | None:

@@ -160,8 +160,8 @@ def _points(
         elif not point.body:
             at[k] = LineEnd(closed.place_of(point.name))
     for body, rest in zip(moored(whole, 0), closed.bodies, strict=True):
-        for k, arm in body.turned(rest.position.yaw).items():
-            at[k] = LineEnd(arm, len(points))
+        for k, (x, y, z) in body.turned(rest.position.yaw).items():
+            at[k] = LineEnd((x, y, z + rest.rise), len(points))
         given, (along, across) = body.body, body.body.force
         points.append(MeetingPoint((along, across, 0.0), (given.x, given.y, 0.0)))
     return points, [(at[run.first], at[run.second]) for run in runs]
@@ -220,6 +220,8 @@ def _remarks(closed: LinesAtRest, compared: Sequence[Comparing], loose: Set[int]
         if body.turns:
             yaw = math.degrees(body.position.yaw)
             yield Message("truss.body_in_yaw", name=body.body.name, yaw=yaw)
+        if body.body.floats:
+            yield Message("truss.body_in_height", name=body.body.name, rise=body.rise)
 
 
 def _joints(
