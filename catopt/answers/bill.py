@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections import Counter
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Final, NamedTuple
 
-from catopt.answers.blocks import Block, Rows, Text, tabulate, texts
+from catopt.answers.blocks import Block, Rows, Text, if_known, measured, tabulate, texts
 from catopt.catalogue.fittings import fittings_of
 from catopt.words import Cited, Measure, Message, Several, term
 
@@ -17,6 +18,17 @@ if TYPE_CHECKING:
     from catopt.notes.sheet import Sheet
 
 
+class Prices(NamedTuple):
+    """Prices that a user gave: of chain and sinker USD a tonne, of the fittings of a line USD."""
+
+    chain: float | None = None
+    sinker: float | None = None
+    fittings: float | None = None
+
+
+NO_PRICES: Final = Prices()
+
+
 class _Item(NamedTuple):
     code: str
     what: str
@@ -24,12 +36,16 @@ class _Item(NamedTuple):
     length: float | None = None
     mass: float | None = None
     number: int = 1
+    price: float | None = None
 
 
-def bill(sheet: Sheet, held: str) -> Iterator[Block]:
+def bill(sheet: Sheet, held: str, prices: Prices = NO_PRICES) -> Iterator[Block]:
     """List what all lines are made of; `held` says what holds one, where more is known of it."""
-    fittings, said = _fittings(sheet)
-    items, lines = Rows([*_items(sheet, held), *fittings]), sheet.lines
+    parts, (fittings, said) = list(_items(sheet, held, prices)), _fittings(sheet)
+    if fittings and prices.fittings is not None:
+        fittings.append(_Item("", Message("note_sheet.fittings_set"), price=prices.fittings))
+    items, lines = Rows([*parts, *fittings]), sheet.lines
+    paid = [_in_all(item, lines, item.price) for item in items.rows]
     yield tabulate(
         "bill",
         texts("no", range(1, len(items.rows) + 1)),
@@ -38,28 +54,53 @@ def bill(sheet: Sheet, held: str) -> Iterator[Block]:
         *items.own("nominal_diameter", "length"),
         items.texts("note_sheet.count", lambda item: lines * item.number),
         items.measured("mass", "mass", "mass_in_air", symbol=""),
-        items.measured("mass", lambda item: _in_all(item, lines), "note_sheet.mass_together"),
+        items.measured(
+            "mass", lambda item: _in_all(item, lines, item.mass), "note_sheet.mass_together"
+        ),
+        *if_known(measured("cost", paid, "note_sheet.price_together", symbol="")),
     )
+    if any(price is not None for price in paid):
+        total = math.fsum(price for price in paid if price is not None)
+        yield Text(_priced(total, parts, fittings))
     yield from map(Text, said)
     yield Text(Message("note_sheet.no_allowance"))
 
 
-def _in_all(item: _Item, lines: int) -> float | None:
-    return None if item.mass is None else lines * item.number * item.mass
+def _in_all(item: _Item, lines: int, of_one: float | None) -> float | None:
+    return None if of_one is None else lines * item.number * of_one
 
 
-def _items(sheet: Sheet, held: str) -> Iterator[_Item]:
-    """Yield what one line is made of; mass in kg."""
+def _of_mass(price: float | None, mass: float | None) -> float | None:
+    return None if price is None or mass is None else 1e-3 * price * mass
+
+
+def _priced(total: float, parts: Sequence[_Item], fittings: Sequence[_Item]) -> Message:
+    """Say what all known prices come to, USD, and what has none."""
+    unpriced = [item.what for item in parts if item.price is None]
+    if fittings and all(item.price is None for item in fittings):
+        unpriced.append(Message("note_sheet.its_fittings"))
+    if not unpriced:
+        return Message("note_sheet.prices", total=total)
+    return Message("note_sheet.prices_but", total=total, names=Several(unpriced, ", "))
+
+
+def _items(sheet: Sheet, held: str, prices: Prices) -> Iterator[_Item]:
+    """Yield what one line is made of; mass in kg, price in USD."""
     for segment in sheet.line.segments:
         mass = None if segment.mass is None else segment.mass * segment.length
         code, what = Cited(segment.name or segment.component), described(sheet.case, segment)
-        yield _Item(code, what, segment.nominal_diameter, segment.length, mass)
+        price = _of_mass(prices.chain, mass)
+        if price is None and segment.price is not None:
+            price = segment.price * segment.length
+        yield _Item(code, what, segment.nominal_diameter, segment.length, mass, price=price)
     for load in sheet.line.point_loads:
         key = "clump" if load.submerged_weight > 0.0 else "float"
         yield _Item("", Message(f"note_sheet.{key}_at", place=load.position), mass=load.mass)
     if sheet.anchor is not None:
         name = {"drag": "Drag anchor", "sinker": "Sinker"}[sheet.anchor.kind]
-        yield _Item(held, term(name), mass=sheet.anchor.mass)
+        mass = sheet.anchor.mass
+        price = _of_mass(prices.sinker, mass) if sheet.anchor.kind == "sinker" else None
+        yield _Item(held, term(name), mass=mass, price=price)
 
 
 def described(case: Case, segment: Segment) -> str:

@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
-from catopt.answers.bill import bill
+from catopt.answers.bill import NO_PRICES, Prices, bill
 from catopt.answers.blocks import (
     Block,
     Fact,
@@ -398,12 +398,12 @@ def damaged_section(sheet: Stated) -> Section:
     return section("damaged", [Text(_damaged(sheet))], "note_sheet")
 
 
-def sheet_sections(sheet: Sheet, held: str = "") -> Iterator[Section]:
+def sheet_sections(sheet: Sheet, held: str = "", prices: Prices = NO_PRICES) -> Iterator[Section]:
     """State parts, tolerance of the anchor's place, wear, damage and fatigue.
 
     `held`, a message, says what holds a line where more is known of it than the case has.
     """
-    yield section("bill", bill(sheet, held), "note_sheet")
+    yield section("bill", bill(sheet, held, prices), "note_sheet")
     yield section("anchor_place", _anchor_place(sheet), "note_sheet")
     yield section("wear", _wear(sheet), "note_sheet")
     yield damaged_section(sheet)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from catopt.answers import blocks
 from catopt.answers import size as sized
-from catopt.answers.bill import described
+from catopt.answers.bill import Prices, described
 from catopt.answers.blocks import (
     Block,
     Figure,
@@ -95,7 +95,7 @@ def size_note_answer(note: SizeNote) -> blocks.Answer:
         _section("candidates", _candidates(note)),
         _section("front", front),
         _section("loads", _loads(note)),
-        *sheet_sections(note.sheet, what_holds(note)),
+        *sheet_sections(note.sheet, what_holds(note), _prices(note.sizing)),
         _section("hold", hold_blocks(note)),
         _section("swing", _swing(note)),
         _section("pattern", _pattern(note)),
@@ -106,6 +106,11 @@ def size_note_answer(note: SizeNote) -> blocks.Answer:
         *of_the_line(line, "equations", "verification", "swarm"),
     )
     return note_answer(note, "note_size.kind_size", sections, file="size_file")
+
+
+def _prices(of: Sizing) -> Prices:
+    """Take those that were given."""
+    return Prices(of.prices.chain_price, of.prices.sinker_price, of.prices.fittings_price)
 
 
 # ------------------------------------------------------------------ what is recommended

@@ -24,10 +24,21 @@ from catopt.casefile.schema import (
 from catopt.constants import SEA_WATER_DENSITY, STANDARD_GRAVITY
 from catopt.documents import Path
 from catopt.errors import InputError
-from catopt.model import Case, CatalogueChoice, Checks, Line, Segment, SegmentChoice, Site, System
+from catopt.model import (
+    Case,
+    CatalogueChoice,
+    Checks,
+    Line,
+    Segment,
+    SegmentChoice,
+    Site,
+    System,
+    TitleBlock,
+)
 from catopt.model.kinds import File
 from catopt.model.line import StrainTable, weight_in_water
 from catopt.model.plausible_ranges import accepting
+from catopt.model.title_block import Revision
 from catopt.units import as_written
 from catopt.words import Message, given_keys
 from catopt.words.message import problem_words
@@ -374,6 +385,15 @@ def network_parts(
     if table.catalogue:
         found["catalogue"] = catalogue_choice(build.given(table.catalogue), folder)
     return found
+
+
+def title_block(table: TableSchema, folder: str) -> TitleBlock:
+    """Build ``[document]`` of a file of a sizing; the path of its logo counts from the folder."""
+    given = table.given()
+    revisions = tuple(Revision(**each.given()) for each in given.pop("revisions", ()))
+    if "logo" in given:
+        given["logo"] = str(FilePath(folder).absolute() / given["logo"])
+    return TitleBlock(**given, revisions=revisions)
 
 
 @dataclass(frozen=True)

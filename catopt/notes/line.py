@@ -266,7 +266,8 @@ def size_note(sizing: Sizing, given: Given, asked: Asked | None = None) -> SizeN
     line = note_of(sizing.case, (file,), asked, chosen)
     origin = Origin((), (), asked.date)
     if given.file is not None:
-        origin = origin_of((given.file,), asked.date, schema_of(sizing.kind))
+        block = sizing.case.document
+        origin = origin_of((given.file,), asked.date, schema_of(sizing.kind), block)
     around = None if sizing.pattern is None else solve_system(sizing.pattern.system)
     fitted, point = _fitted(line), sizing.point
     known = {_bare(each) for each in sizing.warnings}

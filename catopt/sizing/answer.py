@@ -43,6 +43,7 @@ def case_of(
         checks=line.checks_beyond(rest),
         title=request.title or Message("sizing.title", body=body, depth=env.levels.high),
         source=request.source or f"catopt size {kind}",
+        document=request.document,
         service=line.service,
         catalogue=line.catalogue,
         **own,

@@ -101,6 +101,7 @@ def sized_buoy(request: BuoyRequest) -> Sizing:
         found,
         shape=shape,
         floats=floats_in_storm(request, found),
+        prices=request.upkeep,
         upkeep=upkeep_of(request, found),
         crane=request.crane,
     )

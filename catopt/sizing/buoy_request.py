@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from catopt.loads.buoy import BUOY_METHODS, DEEPEST, WHOLE, WaveHeight
 from catopt.loads.buoy_shape import BuoyShape
+from catopt.model import TitleBlock
 from catopt.model.kinds import Findings, exceeds
 from catopt.sizing.environment import Environment
 from catopt.sizing.in_motion import RunsAfloat
@@ -63,6 +64,7 @@ class BuoyRequest:
     crane: float | None = None  # what the tender's crane lifts, kg
     title: str = ""  # of the case; made of the buoy and the depth when left out
     source: str = ""  # of the case: where its figures come from; the command when left out
+    document: TitleBlock | None = None  # of the note
     defaults: tuple[str, ...] = ()  # what was not given and was taken, in words; for the answer
     inputs: tuple[ReadInput, ...] = ()
 

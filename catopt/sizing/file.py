@@ -10,6 +10,7 @@ from pathlib import Path as FilePath
 from types import MappingProxyType
 from typing import Any, Final
 
+from catopt.casefile.building import title_block
 from catopt.casefile.document import (
     Finding,
     as_in_file,
@@ -24,6 +25,7 @@ from catopt.casefile.schema import TableSchema, entries
 from catopt.documents import Path, dotted, parse_toml, read_text
 from catopt.errors import InputError, Problem
 from catopt.loads.calmar_file import SUFFIX
+from catopt.model import TitleBlock
 from catopt.sizing.buoy_request import BuoyRequest
 from catopt.sizing.input_values import ResolvedInputs, Spelling, as_keyword, input_values
 from catopt.sizing.inputs import SINKER, Input, inputs_of
@@ -47,6 +49,7 @@ class SizingFile:
     document: dict[str, Any]  # as the TOML reader returns it
     findings: tuple[Finding, ...]  # what is wrong with it in itself
     cells: Mapping[str, str] = field(default_factory=dict)  # of a workbook: where it has each key
+    title_block: TitleBlock | None = None  # of the firm's document
 
     def known(
         self,
@@ -78,7 +81,7 @@ class SizingFile:
             and any(each.path[: len(path)] == path[: len(each.path)] for path in told)
         ]
         reported += map(dotted, faulty)
-        return input_values(
+        found = input_values(
             self.moored,
             self.given(before),
             spelled,
@@ -87,6 +90,7 @@ class SizingFile:
             defaults=defaults,
             called=called,
         )
+        return replace(found, title_block=self.title_block)
 
     def inputs(self, before: Mapping[str, object] = _NOTHING) -> Mapping[str, Input]:
         """List the inputs that count, by what holds the line."""
@@ -200,11 +204,13 @@ def file_of(
         other = Finding(key, found, Message("refused.is_case_file"))
     if other is not None:
         raise InputError([other.as_problem()], source)
-    _, findings = read_tables(document, schema_of(moored))
+    tables, findings = read_tables(document, schema_of(moored))
     if moored == "tanker" and "anchor" in document and "sinker" in document:
         advice = Message("refused_file.sinker_or_anchor")
         findings.append(Finding(("sinker",), Message("refused_file.anchor_beside"), advice))
-    return SizingFile(moored, source, folder, document, tuple(findings), cells)
+    given = tables.given().get("document")
+    block = None if given is None or findings else title_block(given, folder)
+    return SizingFile(moored, source, folder, document, tuple(findings), cells, block)
 
 
 def read_sizing(path: str | os.PathLike[str]) -> BuoyRequest | TankerRequest:

@@ -14,6 +14,7 @@ from catopt.catalogue.family import nearest
 from catopt.errors import InputError, Problem
 from catopt.loads.buoy import BreakingSeaError, buoys
 from catopt.loads.ship import DIMENSIONS_SOURCE, SHORTEST, ship_dimensions
+from catopt.model import TitleBlock
 from catopt.records import Record
 from catopt.sizing.inputs import SINKER, Input, inputs_of
 from catopt.sizing.kinds import default_of, kind_of, usual
@@ -213,6 +214,7 @@ class ResolvedInputs:
     errors: ErrorCollector  # keeps what is wrong
     estimated: frozenset[str] = frozenset()  # from others that were given
     written_in: Mapping[str, str] = field(default_factory=dict)  # units of those with one
+    title_block: TitleBlock | None = None  # of the file
 
     def __getitem__(self, name: str) -> Any:
         """Return a value; None where it is not known."""

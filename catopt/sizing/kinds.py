@@ -11,6 +11,7 @@ from typing import Annotated, Any
 
 from catopt.casefile.reading import Moored
 from catopt.casefile.schema import TableSchema
+from catopt.model import TitleBlock
 from catopt.model.kinds import Flag, Kind, Measured, OneOf, Text, Whole
 from catopt.model.plausible_ranges import range_of
 from catopt.sizing.inputs import Input, inputs_of, rows_of
@@ -73,7 +74,7 @@ def usual(name: str, moored: Moored = "buoy") -> Any:
 
 @cache
 def schema_of(moored: Moored) -> type[TableSchema]:
-    """Make the schema of a file."""
+    """Make the schema of a file: every input in its section, and ``[document]``."""
     sections: dict[str, dict[str, Input]] = {}
     for each in rows_of(moored):
         sections.setdefault(each.section, {})[each.path[-1]] = each
@@ -83,7 +84,8 @@ def schema_of(moored: Moored) -> type[TableSchema]:
         tables[name] = _made(f"{name.title()}Table", TableSchema, annotations)
         tables[name].symbols = {alias: key for key, each in inputs.items() for alias in each.also}
     top = tables.pop("")
-    return _made("SizingTable", top, {name: table | None for name, table in tables.items()})
+    optional: dict[str, Any] = {name: table | None for name, table in tables.items()}
+    return _made("SizingTable", top, optional | {"document": TitleBlock | None})
 
 
 def _made(name: str, base: type[TableSchema], annotations: dict[str, Any]) -> type[TableSchema]:

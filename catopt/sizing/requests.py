@@ -105,6 +105,7 @@ def _of_a_buoy(of: ResolvedInputs) -> BuoyRequest | None:
         crane=of["crane"],
         title=of["title"] or "",
         source=of["source"] or "",
+        document=of.title_block,
         defaults=_taken(of, place, ground),
         inputs=of.read,
     )
@@ -135,6 +136,7 @@ def _of_a_tanker(of: ResolvedInputs) -> TankerRequest | None:
         weathervaning=vane or Weathervaning(),
         title=of["title"] or "",
         source=of["source"] or "",
+        document=of.title_block,
         defaults=words,
         service_type=of["service_type"],
         in_motion=_runs(of),

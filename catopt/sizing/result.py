@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from typing import Final, Literal, NamedTuple
 
 from catopt.catalogue.choice import chosen
@@ -25,7 +25,7 @@ from catopt.sizing.converge import ConvergedSizing, point_diameter
 from catopt.sizing.floating import FloatsInStorm
 from catopt.sizing.in_motion import InMotion
 from catopt.sizing.input_values import ReadInput, estimated_dimensions, small_craft
-from catopt.sizing.maintenance import Upkeep
+from catopt.sizing.maintenance import Upkeep, UpkeepInputs
 from catopt.sizing.pattern import Pattern, system_case
 from catopt.sizing.verdict import judgement_of
 from catopt.units import UNITS, Dimension
@@ -186,6 +186,7 @@ class Sizing(Displayable, Record):
     """What the recommended line came to in runs with its buoy or ship afloat; None where it is
     sized at rest alone."""
     shape: BuoyShape | None = None  # of the buoy that is moored, where it is known
+    prices: UpkeepInputs = field(default_factory=UpkeepInputs)  # given, and wear by zone
     upkeep: Upkeep | None = None
     """The chain by zone, its renewal and its cost; None where its life is not known."""
     crane: float | None = None  # what the tender's crane lifts, kg; None: not known

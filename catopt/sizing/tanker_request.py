@@ -11,6 +11,7 @@ from catopt.loads.buoy_shape import BuoyShape
 from catopt.loads.ship import Condition, Ship
 from catopt.loads.ship_coefficients import ShipCoefficients
 from catopt.loads.ship_loads import METHODS, TCN
+from catopt.model import TitleBlock
 from catopt.model.kinds import Findings
 from catopt.sizing.environment import SERVICE_TYPES, Environment, ServiceType, Weathervaning
 from catopt.sizing.in_motion import RunsAfloat
@@ -114,6 +115,7 @@ class TankerRequest:
     in_motion: RunsAfloat | None = None
     title: str = ""  # of the case; made of the ship and the depth when left out
     source: str = ""  # of the case: where its figures come from; the command when left out
+    document: TitleBlock | None = None  # of the note
     defaults: tuple[str, ...] = ()  # what was not given and was taken, in words; for the answer
     inputs: tuple[ReadInput, ...] = ()  # all that is known, as it was read; for the answer
     estimates: tuple[str, ...] = ()  # what was estimated, in words; for the answer

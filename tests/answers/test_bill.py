@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import pytest
+
 from catopt import check_case
-from catopt.answers.bill import bill
+from catopt.answers.bill import Prices, bill
 from catopt.answers.blocks import Table, Text
 from catopt.casefile import parse_case
 from catopt.catalogue.fittings import fittings
@@ -66,3 +68,27 @@ def test_between_wires_nothing_is_chosen_and_that_is_said() -> None:
     found, said = billed(WIRE)
     assert len(found) == 1
     assert any("of 2 connections" in each for each in said)
+
+
+def test_given_prices_are_added_up_and_what_has_none_is_named() -> None:
+    """Chain of 1500 USD a tonne, a sinker of 60 t at 100 USD a tonne, a set of 900 USD."""
+    text = f'[site]\nwater_depth = "20 m"\n[line]\n{CHAIN.format(30)}'
+    case = parse_case(text + '[load]\nhorizontal_force = "60 kN"\n' + SINKER)
+    sheet = sheet_of(case, case.line, check_case(case))
+
+    def priced(prices: Prices) -> tuple[list[object], str]:
+        table, *said = bill(sheet, "", prices)
+        assert isinstance(table, Table)
+        (column,) = (each for each in table.columns if str(each.name) == "Total price")
+        first = next(each for each in said if isinstance(each, Text))
+        return list(column.values), str(first.said)
+
+    # OrcaFlex takes 19.9 d^2 t/m of studless links: 17.9 kg/m of 30 mm.
+    found, said = priced(Prices(1500.0, 100.0, 900.0))
+    assert found[0] == pytest.approx(1.5 * 19.9e3 * 0.03**2 * 40.0, rel=0.02)
+    assert found[1] == pytest.approx(6000.0)
+    assert found[2:] == [None] * (len(found) - 3) + [900.0]
+    assert "without" not in said
+    assert f"{found[0] + 6900.0:,.0f} USD" in said  # type: ignore[operator]
+    _, said = priced(Prices(sinker=100.0))  # of the chain as the catalogue has it
+    assert "without fittings, whose" in said

@@ -9,12 +9,15 @@ from pathlib import Path
 
 import pytest
 
+from catopt import read_sizing, size_buoy
 from catopt.casefile import parse_case, write_case
-from catopt.cli.note_kind import answer_of
+from catopt.cli.note_kind import answer_of, note_of_sizing
 from catopt.errors import InputError
 from catopt.notes.line import read_note
+from catopt.notes.origin import Asked
 from catopt.render.page import page
 from catopt.report.pdf import BROWSER, browser, printed
+from catopt.sizing import BuoyRequest
 
 from .page_reader import read_page
 
@@ -80,6 +83,26 @@ def test_every_page_has_the_document_and_its_number(case: Path) -> None:
 
 def _text(quoted: str) -> str:
     return re.sub(r"\\([0-9a-f]+) ", lambda found: chr(int(found[1], 16)), quoted)
+
+
+def test_a_sizing_hands_its_title_block_to_note_and_case(tmp_path: Path) -> None:
+    (tmp_path / "logo.svg").write_bytes(LOGO)
+    path = tmp_path / "sizing.toml"
+    sized = '[buoy]\nname = "pillar 1.8 m"\n[site]\nwater_depth = "12 m"\n'
+    path.write_text(sized + "[motion]\nleft_out = true\n" + BLOCK, "utf-8")
+    answer = answer_of(note_of_sizing(path, "buoy", Asked(verify=False)))
+    html = page(answer).decode()
+    assert "data:image/svg+xml;base64," in html
+    assert "MO-2041-01" in read_page(html).sections["identity"]
+    request = read_sizing(path)
+    assert isinstance(request, BuoyRequest)
+    of = size_buoy(request)
+    assert of.case.document is not None
+    assert of.case.document.revisions[-1].approved == "L. H. Cuong"
+    assert parse_case(write_case(of.whole_case)).document == of.case.document
+    path.write_text(path.read_text("utf-8").replace("client", "cleint"), "utf-8")
+    with pytest.raises(InputError, match=r"document\.cleint.*did you mean client"):
+        read_sizing(path)
 
 
 def test_a_case_keeps_its_title_block(case: Path) -> None:
