@@ -39,7 +39,18 @@ _TAKEN = {
 }
 """What the loads take when it is left out, in place of what a sizing takes."""
 
-_WEATHER = ("depth", "low_water", "wind", "current", "hs", "hmax", "period", "water_density")
+_WEATHER = (
+    "depth",
+    "low_water",
+    "wind",
+    "current",
+    "hs",
+    "hmax",
+    "period",
+    "fetch",
+    "fetch_depth",
+    "water_density",
+)
 _BUOY = (*_WEATHER, "place", "growth", "buoys", "load_method")
 _SHIP = (
     *(*_WEATHER, "length", "breadth", "draught", "ballast_draught"),
@@ -87,6 +98,7 @@ def buoy(
     from catopt.loads import WaterLevels, buoy_loads
     from catopt.loads.buoy import BUOY_METHODS
     from catopt.sizing.requests import shape_of
+    from catopt.sizing.sea import of_the_fetch
     from catopt.sizing.wind import blowing
 
     place = name if is_file(name) else None
@@ -135,7 +147,7 @@ def buoy(
         high, low = (Measure("horizontal_force", each.horizontal_force) for each in every)
         depths = {"deep": of["depth"], "shallow": of["low_water"]}
         said.append(Message("loads.at_both_levels", high=high, low=low, **depths))
-    said += _no_part(of, counted)
+    said += [*of_the_fetch(of), *_no_part(of, counted)]
     _give(asked, replace(result, assumptions=(*said, *result.assumptions)))
 
 
@@ -164,6 +176,7 @@ def ship(
     from catopt.sizing.environment import DIRECTIONS, current_headings, directions_of, read_turning
     from catopt.sizing.input_values import estimated_dimensions, small_craft
     from catopt.sizing.requests import turns_by_itself
+    from catopt.sizing.sea import of_the_fetch
     from catopt.sizing.wind import of_the_wind, wind_of_30_s
 
     lengths = {
@@ -244,6 +257,7 @@ def ship(
         *_what_is_taken(form, worst, turning),
         *(() if has_areas else box_estimates() if is_square else estimates(of["length"])[1:]),
         *of_the_wind(of),
+        *of_the_fetch(of),
         *_no_part(of, {*_SHIP, "moulded_depth"} - ({"hmax"} if by_hs else set())),
     )
     warned = (*estimated_dimensions(of.read), *small_craft(of.read))
@@ -299,10 +313,14 @@ def _weather(of: ResolvedInputs, wind: float | None) -> tuple[Any, ...]:
     return make(Wind, wind), make(SurfaceCurrent, of["current"]), make(_sea, of)
 
 
-def _sea(of: ResolvedInputs) -> SeaState:
-    """Make the waves; none when no height is given."""
+def _sea(of: ResolvedInputs) -> SeaState | None:
+    """Make the waves; none when neither a height nor a fetch is given."""
     from catopt.loads import SeaState
 
+    if "fetch" in of.given:
+        from catopt.sizing.sea import sea_of
+
+        return sea_of(of)
     if of["hs"] is None and of["hmax"] is None:
         return SeaState(of["period"] or 1.0, 0.0)
     if of["period"] is None:

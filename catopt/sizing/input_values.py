@@ -7,7 +7,8 @@ import os
 import re
 from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import dataclass, field
-from typing import Any, Literal, Protocol, TypeVar
+from types import MappingProxyType
+from typing import Any, Final, Literal, Protocol, TypeVar
 
 from catopt.casefile.reading import Moored
 from catopt.catalogue.family import nearest
@@ -257,6 +258,10 @@ class ResolvedInputs:
         return ("given" if name in self.given else "taken"), ""
 
 
+FOUND_BY: Final = MappingProxyType({"wind": "place", "hs": "fetch"})
+"""Weather that has no default where another input is given, by which it is found."""
+
+
 def is_needless(each: Input, given: Collection[str]) -> bool:
     """Say whether others that are given stand in the place of an input."""
     follows = each.name == "hs" and "hmax" in given
@@ -293,8 +298,8 @@ def input_values(
     estimated = _estimated(errors, given, values) if moored == "tanker" else {}
     values |= estimated
     for name, each in inputs.items():
-        is_of_place = name == "wind" and "place" in given
-        if name in values or is_of_place or is_needless(each, values):
+        is_found = FOUND_BY.get(name) in given
+        if name in values or is_found or is_needless(each, values):
             continue
         if defaults is None and each.default:
             values[name] = default_of(each)

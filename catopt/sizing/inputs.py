@@ -207,6 +207,14 @@ INPUTS: Final = (
         left_out="left_out.period",
     ),
     Input(
+        "fetch", "environment.fetch", "LENGTH", "10 km", above=0.0, most="1000 km",
+        not_with=("hs", "hmax", "force"), why="or_in_its_place", left_out="left_out.fetch",
+    ),
+    Input(
+        "fetch_depth", "environment.fetch_depth", "LENGTH", "8 m", above=0.0,
+        only_with="fetch", left_out="left_out.fetch_depth",
+    ),
+    Input(
         "load_method", "environment.load_method", "WHICH", "catopt-buoy", "IALA-CALMAR",
         words=("IALA-CALMAR", "catopt-buoy"),
         tanker=(

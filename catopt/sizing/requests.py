@@ -11,10 +11,9 @@ from catopt.catalogue.practice import own_cable
 from catopt.checks.profiles import profiles_of
 from catopt.constants import SEA_WATER_DENSITY, YEAR
 from catopt.errors import InputError
-from catopt.loads import BuoyShape, SeaState, SurfaceCurrent, WaterLevels, Wind, buoys, read_buoys
+from catopt.loads import BuoyShape, SurfaceCurrent, WaterLevels, Wind, buoys, read_buoys
 from catopt.loads.buoy import buoy as look_up
 from catopt.loads.calmar_file import SUFFIX, read_calmar_buoy
-from catopt.loads.environment import HMAX_OVER_HS
 from catopt.loads.ship import (
     BALLAST_SOURCE,
     BARGE,
@@ -41,11 +40,10 @@ from catopt.sizing.environment import (
     demands,
     left_out,
     period_range,
-    usual_period,
     weathervaning_of,
 )
 from catopt.sizing.in_motion import RunsAfloat
-from catopt.sizing.input_values import ResolvedInputs
+from catopt.sizing.input_values import FOUND_BY, ResolvedInputs
 from catopt.sizing.inputs import SINKER
 from catopt.sizing.kinds import usual
 from catopt.sizing.line_choice import LineChoice, sold, unpriced_components
@@ -53,6 +51,7 @@ from catopt.sizing.maintenance import UpkeepInputs
 from catopt.sizing.pattern import CALMAR_SOIL, SAND, DragGround, SinkerGround
 from catopt.sizing.quick import quick_runs
 from catopt.sizing.result import Sizing
+from catopt.sizing.sea import of_the_fetch, sea_of
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
 from catopt.sizing.wind import blowing, of_place, of_the_wind, wind_of_30_s
@@ -74,7 +73,7 @@ def size(of: ResolvedInputs) -> Sizing:
 def request_of(of: ResolvedInputs) -> BuoyRequest | TankerRequest:
     """Make the request for a buoy or a tanker; every mistake is told at once."""
     request = _of_a_buoy(of) if of.moored == "buoy" else _of_a_tanker(of)
-    known = of.given | ({"wind"} if "place" in of.given else set())
+    known = of.given | {name for name, by in FOUND_BY.items() if by in of.given}
     weather = [] if "force" in of.given else [k for k in _WEATHER if k not in known]
     if of["return_period"] and weather:
         allowed = Message("refused_sizing.period_of_weather", missing=Listed(weather, "and"))
@@ -167,7 +166,7 @@ def _runs(of: ResolvedInputs) -> RunsAfloat | None:
             own["max_heel"] = 0.5 * of["light_divergence"]
         own["other_lengths"] = of["other_lengths"] or 0
     own["periods"], own["heights"] = of["peak_period"] or (), of["sea_height"] or ()
-    sea = of.errors.make(_sea, of) if of["period_range"] or of["sea_height"] else None
+    sea = of.errors.make(sea_of, of) if of["period_range"] or of["sea_height"] else None
     if of["period_range"] and sea is not None and sea.hs > 0.0:
         own["periods"] = period_range(sea)
     made = of.errors.make(partial(RunsAfloat, **own), of["seeds"], of["run_time"])
@@ -204,14 +203,7 @@ def _environment(
     blows = make(Wind, (wind or blowing(of)) if is_pushed else 0.0)
     current = make(SurfaceCurrent, of["current"] if is_pushed else 0.0)
     maker = partial(Environment, water_density=of["water_density"])
-    return make(maker, levels, blows, current, make(_sea, of))
-
-
-def _sea(of: ResolvedInputs) -> SeaState:
-    """Make the waves; the period follows from the height where it is not given."""
-    height, largest = of["hs"], of["hmax"]
-    significant = height if height is not None else (largest or 0.0) / HMAX_OVER_HS
-    return SeaState(of["period"] or usual_period(significant), height, largest)
+    return make(maker, levels, blows, current, make(sea_of, of))
 
 
 # ------------------------------------------------------------------ buoy and ship
@@ -539,7 +531,8 @@ def _taken(
         for each in of.read
         if each.origin == "taken" and each.of.taken
     ]
-    if "period" not in of.given and place is not None:
+    words += of_the_fetch(of)
+    if of.given.isdisjoint({"period", "fetch"}) and place is not None:
         words.append(Message("sizing.taken_period", period=place.sea.period))
     if "low_water" not in of.given:
         words.append(Message("sizing.no_tide"))
@@ -548,20 +541,25 @@ def _taken(
         words.append(Message(key, soil=term(str(ground.soil))))
     if of["soil"] and ground is not None:
         words += _soil_taken(of, ground)
-    blows = of_place(of)
-    if blows is not None:
-        values = {"place": of["place"], "zone": blows.zone, "confidence": blows.confidence}
-        years = blows.period / YEAR
-        words.append(Message("sizing.of_place", speed=blows.speed, years=years, **values))
-    elif "return_period" not in of.given:
-        words.append(Message("sizing.no_return_period"))
-    if of["life"] and of["return_period"]:
-        years, life = of["return_period"], of["life"]
-        chance = -math.expm1(life * math.log1p(-min(1.0 - 1e-12, YEAR / years)) / YEAR)
-        values = {"years": years / YEAR, "life": life / YEAR, "chance": chance}
-        words.append(Message("sizing.exceeded_in_life", **values))
+    words += _weather_taken(of)
     if "chain" not in of.given:
         words += of["chain"]
     if "code" not in of.given:
         words.append(Message("sizing.taken_code", code=of["code"]))
     return tuple(words)
+
+
+def _weather_taken(of: ResolvedInputs) -> Iterator[Message]:
+    """Say by what the wind was found, and of which return period the weather is."""
+    blows = of_place(of)
+    if blows is not None:
+        values = {"place": of["place"], "zone": blows.zone, "confidence": blows.confidence}
+        years = blows.period / YEAR
+        yield Message("sizing.of_place", speed=blows.speed, years=years, **values)
+    elif "return_period" not in of.given:
+        yield Message("sizing.no_return_period")
+    if of["life"] and of["return_period"]:
+        years, life = of["return_period"], of["life"]
+        chance = -math.expm1(life * math.log1p(-min(1.0 - 1e-12, YEAR / years)) / YEAR)
+        values = {"years": years / YEAR, "life": life / YEAR, "chance": chance}
+        yield Message("sizing.exceeded_in_life", **values)

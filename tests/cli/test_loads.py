@@ -99,3 +99,14 @@ def test_a_buoy_that_calmar_saved_takes_the_place_of_a_name(run: Run, tmp_path: 
     assert ran.status == 2
     assert "Buoy.Flotteur.ElementDimItem[0].Volume: missing" in ran.err
     assert "drum.xmlMB: 2 errors" in ran.err
+
+
+@pytest.mark.parametrize("moored", [("buoy", "pillar 1.8 m"), ("ship", "--dwt", "5000 t")])
+def test_a_fetch_raises_a_sea_for_the_loads_too(run: Run, moored: tuple[str, ...]) -> None:
+    """The waves of a fetch count and are told; nothing says that they are no part of it."""
+    weather = ("--depth", "12 m", "--wind", "20 m/s", "--fetch", "20 km")
+    calm, found = (run("loads", *moored, *given) for given in (weather[:-2], weather))
+    said = " ".join(found.out.split())
+    assert "over 20 km of water 12 m deep" in said
+    assert "no part" not in said
+    assert found.out != calm.out
