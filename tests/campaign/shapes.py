@@ -10,6 +10,8 @@ from dataclasses import dataclass, field
 SHAPES = (
     "raft", "crowfoot", "buoy on legs", "plumb", "plumb in a current", "shared line", "line",
     "slack line", "line in a current", "hanging line", "body", "quay", "chain of joints",
+    "float at the surface", "two floats in a current", "hanging weight",
+    "hanging weight in a current", "legs in a current", "raft in a current", "free end",
 )  # fmt: skip
 
 
@@ -25,6 +27,7 @@ class Drawn:
 
 _OF_A_LINE = (("solve",), ("check",), ("solve", "--profile"), ("curve", "--points", "9"))
 _OF_POINTS = (("system",), ("check",), ("solve",))
+_OF_BODY_ALONE = (("system",), ("check",))
 _OF_A_BODY = (("system",), ("check",), ("system", "--line-out"), ("system", "--curve", "30 deg"))
 
 
@@ -240,6 +243,67 @@ class _File:
         names.append(self.anchor((count + 1) * 0.6 * d, 0.0))
         for first, second in itertools.pairwise(names):
             self.tie(first, second, 0.75 * d)
+        return _OF_POINTS, self.made
+
+    def _float_at_the_surface(self) -> tuple[tuple[tuple[str, ...], ...], list[str]]:
+        """Hold a buoy by one to three legs that are longer than the water is deep."""
+        d, draw = self.depth, self.draw
+        high = [f"float_height = {0.05 * d!r}"] if draw.random() < 0.5 else []
+        buoy = self.joint(-self.weight * d * draw.choice([1.0, 20.0]), *high)
+        for side in self.around(draw.choice([1, 2, 3])):
+            at = self.anchor(2.0 * d * math.cos(side), 2.0 * d * math.sin(side))
+            self.tie(at, buoy, math.hypot(2.0 * d, d) * draw.choice([1.01, 1.1, 1.5]))
+        return _OF_POINTS, self.made
+
+    def _two_floats_in_a_current(self) -> tuple[tuple[tuple[str, ...], ...], list[str]]:
+        d = self.depth
+        drag = [f"drag_area = {1e-3 * d**2!r}", "drag_coefficient = 0.6"]
+        floats = [self.joint(-self.weight * d * 10.0, *drag) for _ in range(2)]
+        for way, buoy in zip((-1.0, 1.0), floats, strict=True):
+            self.tie(self.anchor(3.0 * way * d, 0.0), buoy, 3.0 * d, in_current=True)
+        self.tie(*floats, 2.0 * d * self.draw.choice([1.0, 1.1]), in_current=True)
+        return _OF_POINTS, self.made
+
+    def _hanging_weight(
+        self, *, in_current: bool = False
+    ) -> tuple[tuple[tuple[str, ...], ...], list[str]]:
+        """Hang a weight on a line from a place above."""
+        d = self.depth
+        drag = [f"drag_area = {1e-4 * d**2!r}", "drag_coefficient = 1.0"] if in_current else []
+        weight = self.joint(self.weight * d * self.draw.choice([0.3, 3.0]), *drag)
+        self.tie(
+            self.point("ice", "fairlead", "x = 0.0", "y = 0.0", f"height = {d!r}"), weight,
+            self.draw.choice([0.3, 0.8]) * d, in_current=in_current,
+        )  # fmt: skip
+        return _OF_POINTS, self.made
+
+    def _hanging_weight_in_a_current(self) -> tuple[tuple[tuple[str, ...], ...], list[str]]:
+        return self._hanging_weight(in_current=True)
+
+    def _legs_in_a_current(self) -> tuple[tuple[tuple[str, ...], ...], list[str]]:
+        d = self.depth
+        buoy = self.joint(-self.weight * d * self.draw.choice([4.0, 8.0]))
+        for side in self.around(self.draw.choice([2, 3])):
+            at = self.anchor(0.7 * d * math.cos(side), 0.7 * d * math.sin(side))
+            self.tie(at, buoy, 0.9 * math.hypot(0.7 * d, 0.7 * d), in_current=True)
+        return _OF_POINTS, self.made
+
+    def _raft_in_a_current(self) -> tuple[tuple[tuple[str, ...], ...], list[str]]:
+        d, height = self.depth, 0.95 * self.depth
+        body = self.body(self.pull())
+        for side in self.around(self.draw.choice([3, 4])):
+            x, y = math.cos(side), math.sin(side)
+            eye = self.fairlead(0.2 * d * x, 0.2 * d * y, height, body)
+            length = self.length(2.8 * d, height)
+            self.tie(self.anchor(3.0 * d * x, 3.0 * d * y), eye, length, in_current=True)
+        return (*_OF_BODY_ALONE, ("system", "--line-out")), self.made
+
+    def _free_end(self) -> tuple[tuple[tuple[str, ...], ...], list[str]]:
+        """Hang a chain over the side, to a joint that bears nothing."""
+        d = self.depth
+        end = self.joint(0.0)
+        ice = self.point("ice", "fairlead", "x = 0.0", "y = 0.0", f"height = {d!r}")
+        self.tie(ice, end, self.draw.choice([0.4, 0.9]) * d)
         return _OF_POINTS, self.made
 
     def one_line(

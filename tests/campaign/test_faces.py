@@ -21,8 +21,8 @@ def test_every_face_has_the_numbers_of_the_record(seed: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(len(SHAPES)))
-def test_every_shape_has_every_face(seed: int) -> None:
+@pytest.mark.parametrize("seed", [k for k, shape in enumerate(SHAPES) if shape not in CHEAP])
+def test_every_other_shape_has_every_face(seed: int) -> None:
     tally = faces.Tally()
     faces.try_mooring(drawn(seed), seed, tally)
     assert tally.faults == []
