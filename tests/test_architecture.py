@@ -85,7 +85,7 @@ MAY_IMPORT: dict[str, set[str]] = {
     | READING
     | {"checks", "design", "mooring", "verify", "sizing", "notes", "_version"},
     "reproduce": SOLVING | READING | {"mooring", "loads", "waves", "fem", "verify"},
-    "export": SOLVING | {"mooring", "decks", "_version"},
+    "export": SOLVING | {"mooring", "loads", "decks", "_version"},
     "notes": SOLVING
     | READING
     | DESIGNING

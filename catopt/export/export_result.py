@@ -20,8 +20,10 @@ from catopt.catenary.solve import solve
 from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import refused
 from catopt.model import Case, Line, PointLoad, Segment
+from catopt.model.network import Network
 from catopt.mooring.case import report_system
-from catopt.mooring.solution import SystemSolution
+from catopt.mooring.network_rest import LinesAtRest
+from catopt.mooring.solution import SystemSolution, solve_system
 from catopt.records import Counted, Digest, From, Record, laid_out
 from catopt.words import Message
 
@@ -323,7 +325,7 @@ class ExportedLine:
     `at_rest`: the same between the same ends on a bed without friction, None where that is no
     other; `own_tension`: at the fairlead, N, of the line as the case has it, where `solution` has
     another EA; `anchor`: its x and y, m; `heading`: from there to the fairlead, counter-clockwise
-    from x, rad.
+    from x, rad; `is_anchored`: whether its first end is one.
     """
 
     name: str
@@ -332,6 +334,7 @@ class ExportedLine:
     own_tension: float
     anchor: tuple[float, float] = (0.0, 0.0)
     heading: float = 0.0
+    is_anchored: bool = True
 
     @property
     def expected(self) -> Solution:
@@ -362,15 +365,17 @@ class ExportedLines:
     """A case with its lines where they hang.
 
     `case`: under the load that was taken; `lines`: one, or those of the system; `system`: of a
-    moored body; `EA`: of the segments that do not stretch in the case, N; None: they were left as
-    they are; `warnings`: what an engineer should know before using the answer.
+    moored body; `rest`: of lines between points; `EA`: of the segments that do not stretch in the
+    case, N; None: they were left as they are; `warnings`: what an engineer should know before using
+    the answer.
     """
 
-    case: Case
+    case: Case | Network
     lines: tuple[ExportedLine, ...]
     system: SystemSolution | None
     EA: float | None
     warnings: tuple[str, ...]
+    rest: LinesAtRest | None = None
 
     @property
     def highest(self) -> float:
@@ -385,6 +390,22 @@ def exported_lines(case: Case, EA: float | None = None) -> ExportedLines:
     NotConvergedError as for `solve_case` and `solve_system`.
     """
     return _line(case, EA) if case.system is None else _body(case, EA)
+
+
+def network_lines(network: Network) -> ExportedLines:
+    """Solve lines between points; raises what `solve_system` raises."""
+    network.site.check_water()
+    if network.current_at_rest is not None:
+        raise refused("current", "", Message("refused_case.current_for_solve_and_check"))
+    rest = solve_system(network)
+    lines = []
+    for number, (run, solution) in enumerate(zip(rest.runs, rest.lines, strict=True)):
+        first, second = (rest.joints.places[end] for end in (run.first, run.second))
+        way = math.atan2(second[1] - first[1], second[0] - first[0])
+        tension, is_anchored = solution.fairlead.tension, rest.is_anchored(number)
+        name = run.name or f"line {number + 1}"
+        lines.append(ExportedLine(name, solution, None, tension, first[:2], way, is_anchored))
+    return ExportedLines(network, tuple(lines), None, None, (), rest)
 
 
 def rigid_segments(case: Case) -> tuple[str, ...]:
