@@ -9,11 +9,10 @@ import typer
 from catopt.casefile.reading import DESIGN_CASE, DESIGN_DOCUMENT, read_mooring_or_design
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, DesignOption, LoadCaseOption, PlaceOption
-from catopt.cli.values import in_state, positive, read_known, refuse, refused, with_known_codes
+from catopt.cli.values import in_state, positive, refused, with_known_codes
 from catopt.errors import InputError, Problem
-from catopt.export.export_result import Source, exported_lines, network_lines, rigid_segments
+from catopt.export.export_result import Source, exported_lines, rigid_segments
 from catopt.model.kinds import Findings
-from catopt.model.network import Network
 from catopt.notes.origin import file_name, read_source
 from catopt.units import Dimension
 from catopt.words import Message
@@ -47,20 +46,10 @@ def export(
     from catopt.export.programs import program_input
 
     EA = _settings(to, stiffness, elements, true_depth=true_depth)
-    whole = read_mooring_or_design(case, design) if to == "dxf" else read_known(case, design)
+    read = in_state(with_known_codes(read_mooring_or_design(case, design)), load_case)
     paths = [case] if design is None else [case / DESIGN_CASE, case / DESIGN_DOCUMENT]
     files = [read_source(path) for path in paths]
     sources = tuple(Source(file.name, file.sha256) for file in files)
-    if isinstance(whole, Network):
-        given = {"--load-case": load_case, "--EA": stiffness}
-        only = Message("refused_command.goes_with_line_case")
-        refuse(Problem(option, value, only) for option, value in given.items() if value)
-        drawn = dxf_drawing(network_lines(whole), sources=sources)
-        name = file_name(case, design).removesuffix(".html") + _ENDINGS[to]
-        asked.give_file(name, drawn.text, drawn.to_dict, drawn.remarks, keep=case)
-        return
-    whole = with_known_codes(whole)
-    read = in_state(whole, load_case)
     # Refuse a line without EA where it needs one, and an EA that no segment needs.
     rigid = rigid_segments(read)
     if EA is not None and not rigid:
@@ -70,7 +59,7 @@ def export(
         raise InputError([Problem(f"{key}.EA", "", allowed) for key in rigid], f"--to {to}")
     lines = exported_lines(read, EA)
     if to == "dxf":
-        found = dxf_drawing(lines, whole=whole, sources=sources)
+        found = dxf_drawing(lines, sources=sources)
     elif to == "moordyn":
         found = moordyn_input(
             lines, elements=elements or ELEMENTS, true_depth=true_depth, sources=sources

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import replace
-from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from catopt.errors import InputError, Problem
 from catopt.model.kinds import Findings
@@ -15,6 +14,9 @@ from catopt.words import Message
 
 if TYPE_CHECKING:
     from catopt.model import Case
+    from catopt.model.network import Network
+
+Moored = TypeVar("Moored", bound="Case | Network")
 
 
 def refused(option: str, found: str, allowed: str) -> InputError:
@@ -76,14 +78,7 @@ def by_option(
         raise InputError(problems, source or error.source) from error
 
 
-def read_known(path: Path, design: int | None = None) -> Case:
-    """Read a case, or a design of a result directory, whose codes all are known and allowed."""
-    from catopt.casefile.reading import read_case_or_design
-
-    return with_known_codes(read_case_or_design(path, design))
-
-
-def with_known_codes(case: Case) -> Case:
+def with_known_codes(case: Moored) -> Moored:
     """Return a case whose codes all are known and allowed, also where none is judged by."""
     if case.checks.codes:
         from catopt.checks.profiles import profiles_of
@@ -92,7 +87,7 @@ def with_known_codes(case: Case) -> Case:
     return case
 
 
-def in_state(case: Case, name: str | None) -> Case:
+def in_state(case: Moored, name: str | None) -> Moored:
     """Return a case under the load case that ``--load-case`` names; as it is without a name.
 
     Raises InputError where the case has no such load case, or seeks something.

@@ -22,7 +22,7 @@ _UNREAD = {
     "unread_weather": "Wave|Wind|Current|Air|Kinematic|Reynolds|SeaTemperature|WaterDensity",
     "unread_bed": "Seabed|^Lay|AsLaid|Covered",
     "unread_elsewhere": "^(VariableData|Constraints|Groups|BrowserGroups|Links|Winches|Shapes|"
-    "Turbines|VesselTypes|6DBuoyTypes|3DBuoys|.+Types|MultibodyGroups)$",
+    "Turbines|VesselTypes|6DBuoyTypes|.+Types|MultibodyGroups)$",
     "unread_words": "^(Name|Length|Draught|Type|Pen|Notes)$|Segment|Torsion|TopEnd|PyModel|Static|"
     "Represent|PreBend|Formulation|VIV|Azimuth|Declin|Gamma|Release|Stiffness|Arclength|Contents|"
     "Draw|ContactPen|Mass|Bulk|Compression|Allowable|Radius|Poisson|Expansion|GJ|Coupling|Contact|"
@@ -48,13 +48,19 @@ def parse_orcaflex(text: str, notes: Notes, given: Mapping[str, float]) -> Deck:
     surface, depth, density = _sea(top.table("Environment"))
     kinds, clumps = _by_name(top, "LineTypes"), _by_name(top, "ClumpTypes")
     objects = _by_name(top, "Vessels") | _by_name(top, "6DBuoys")
+    buoys = _by_name(top, "3DBuoys")
     types: dict[str, LineType] = {}
     points: dict[str, Point] = {}
     pieces: list[DeckPiece] = []
     lying: set[float] = set()
     for line in _wanted(top):
         parts = list(_parts(line, clumps))
-        ends = [_end(row, objects, depth, surface) for row in line.columns("Connection")]
+        ends = [
+            _joint(buoys[to], surface)
+            if (to := row.text("Connection")) in buoys
+            else _end(row, objects, depth, surface)
+            for row in line.columns("Connection")
+        ]
         sections = [part for part in parts if isinstance(part, DeckSection)]
         new = {part.type for part in sections} & kinds.keys() - types.keys()
         types |= {name: _type(kinds[name]) for name in new}
@@ -165,6 +171,27 @@ def _each(kind: YamlTable, key: str) -> list[float]:
     if len(words) > 2 and words[1] is not None and numbers[1] != numbers[0]:
         kind.notes.say("variable", line=found.row, key=key, value=f"{words[1]} (y)")
     return numbers
+
+
+def _joint(buoy: YamlTable, surface: float) -> Point:
+    """Read a buoy in which lines meet; its drag is that along x."""
+    x, y, z = buoy.numbers("InitialPosition", 3)
+    name, connection = buoy.text("Name"), buoy.text("Connection", "Free")
+    if connection != "Free":
+        buoy.notes.refuse(buoy.row, f"{name}: Connection {connection}", "not_followed")
+    area, Cd, Ca = (_each(buoy, key) or [0.0] for key in ("DragArea", "Cd", "Ca"))
+    return Point(
+        buoy.row,
+        name,
+        "free",
+        x,
+        y,
+        z - surface,
+        buoy.number("Mass", at_least=0.0) * TONNE,
+        buoy.number("Volume", 0.0, at_least=0.0),
+        area[0] * Cd[0],
+        Ca[0],
+    )
 
 
 def _end(row: YamlTable, objects: Mapping[str, YamlTable], depth: float, surface: float) -> Point:

@@ -197,11 +197,12 @@ def from_sections(
 ) -> tuple[dict[str, Point], list[DeckPiece]]:
     """Turn a line into points ``NAME.1`` and so on and pieces, both from its first end.
 
-    `ends`: where it is held; their own names do not count.
+    `ends`: where it is held, whose own names do not count; or joints, which keep theirs.
     """
     first, last = ends
     total = sum(part.length for part in parts if isinstance(part, DeckSection)) or 1.0
-    points, pieces, arc = [replace(first, name=f"{name}.1")], list[DeckPiece](), 0.0
+    begun = first if first.end == "free" else replace(first, name=f"{name}.1")
+    points, pieces, arc = [begun], list[DeckPiece](), 0.0
     for part in parts:
         if isinstance(part, DeckSection):
             arc += part.length
@@ -216,7 +217,11 @@ def from_sections(
         else:
             points[-1] = _with(points[-1], part)
     end = points[-1]
-    if pieces:
+    if pieces and last.end == "free":
+        points[-1] = last
+        between = (pieces[-1].ends[0], last.name)
+        pieces[-1] = replace(pieces[-1], ends=between)
+    elif pieces:
         points[-1] = Point(last.row, end.name, last.end, last.x, last.y, last.z, *end.body)
     return {point.name: point for point in points}, pieces
 

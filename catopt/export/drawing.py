@@ -20,6 +20,7 @@ from catopt.catenary.case import solve_case
 from catopt.catenary.layout import Profile, end_of
 from catopt.catenary.solution import Solution
 from catopt.constants import STANDARD_GRAVITY
+from catopt.decks.deck import End
 from catopt.errors import CatoptError
 from catopt.export.dxf import (
     WIDE,
@@ -34,20 +35,14 @@ from catopt.export.dxf import (
     tables,
     text,
 )
-from catopt.export.export_result import (
-    Exported,
-    ExportedLine,
-    ExportedLines,
-    Source,
-    exported,
-    heading,
-)
+from catopt.export.export_result import Exported, Source, exported, heading
+from catopt.export.exported_line import ExportedLine, ExportedLines
 from catopt.loads import read_buoys
 from catopt.loads.buoy import buoy
 from catopt.loads.buoy_shape import BuoyShape
 from catopt.model import Anchor, Case, Segment
 from catopt.model.network import Network
-from catopt.model.system import ShipAfloat, System
+from catopt.model.system import ShipAfloat
 from catopt.mooring.restoring import watch_circle
 
 LAYERS: Final[Mapping[str, int]] = MappingProxyType(
@@ -103,7 +98,7 @@ class Drawing:
     @property
     def in_space(self) -> bool:
         """Whether z is the height; on a drawing of one line it is y."""
-        return self.solved.system is not None or self.solved.rest is not None
+        return bool(self.solved.mooring)
 
     @property
     def text_height(self) -> float:
@@ -252,7 +247,7 @@ def _marks(sheet: Drawing, line: ExportedLine) -> Iterator[Mark]:
     """Yield what there is on a line; of several lines, only the anchors bear words."""
     solution, in_space = line.solution, sheet.in_space
     held = line.name if in_space else _held(sheet.solved.case.anchor)
-    if line.is_anchored:
+    if sheet.solved.points[line.ends[0]].end == "fixed":
         words = f"{held}, {_force(solution.anchor.tension)}"
         yield Mark("ANCHOR", 0.0, solution.anchor_height, words, -1)
     for distance, height in _touchdowns(solution):
@@ -269,8 +264,8 @@ def _marks(sheet: Drawing, line: ExportedLine) -> Iterator[Mark]:
                   for load in solution.line.point_loads)  # fmt: skip
         distance, height = line.in_plane(arc)
         yield Mark("JOINTS", distance, height, "" if in_space else words, row)
-    if sheet.solved.rest is None:
-        at_fairlead = "" if in_space else f"fairlead, {_force(solution.fairlead.tension)}"
+    if not in_space:
+        at_fairlead = f"fairlead, {_force(solution.fairlead.tension)}"
         yield Mark("FAIRLEAD", solution.span, solution.fairlead_height, at_fairlead)
 
 
@@ -359,7 +354,7 @@ def _side(anchor: Anchor, water_density: float) -> float | None:
 
 def _shape(mooring: Case | Network) -> BuoyShape | None:
     """Look up the buoy that floats; None where it is none."""
-    floater = None if isinstance(mooring, Network) else mooring.floater
+    floater = mooring.floater
     if floater is None or floater.kind != "buoy":
         return None
     return buoy(floater.buoy, read_buoys(floater.file) if floater.file else None)
@@ -379,35 +374,27 @@ def _moored_buoy(sheet: Drawing) -> Iterator[Group]:
         yield from polyline("BODY", corners, closed=True)
 
 
+_LAYER_OF: Final[Mapping[End, str]] = {"coupled": "FAIRLEAD", "free": "JOINTS"}
+
+
 def _bodies(sheet: Drawing) -> Iterator[Group]:
-    """Mark bodies at the height of a fairlead, with their fairleads; of a network, its points."""
-    system, rest = sheet.solved.system, sheet.solved.rest
-    if system is not None:
-        height = sheet.solved.lines[0].solution.fairlead_height
-        place = (system.position.x, system.position.y, height)
-        words = f"body under {_force(math.hypot(*system.system.force))}"
+    """Mark joints and fairleads, and bodies at the height of one."""
+    for end in sheet.solved.points:
+        if end.end != "fixed":
+            yield from _named(sheet, _LAYER_OF[end.end], end.place, end.words)
+    for body in sheet.solved.bodies:
+        place = (body.x, body.y, body.height)
+        words = f"{body.name} under {_force(math.hypot(*body.force))}"
         yield from _named(sheet, "BODY", place, words)
-        ends = [(*line.fairlead, line.solution.fairlead_height) for line in system.lines]
-        yield from _arms(place, [end for end in ends if math.dist(end[:2], place[:2]) > 0.0])
-        yield from _hull(sheet, place, system.position.yaw)
-    if rest is not None:
-        for each, place in zip(rest.network.points, rest.joints.places, strict=True):
-            layer = {"anchor": "ANCHOR", "joint": "JOINTS"}.get(each.kind, "FAIRLEAD")
-            if each.kind != "anchor":
-                yield from _named(sheet, layer, place, each.name)
-        for body in rest.bodies:
-            own = [p.name for p in rest.network.points if p.body == body.body.name]
-            ends = [rest.place_of(name) for name in own]
-            height = ends[0][2] if ends else rest.network.site.water_depth
-            place = (body.position.x, body.position.y, height)
-            words = f"{body.body.name} under {_force(math.hypot(*body.body.force))}"
-            yield from _named(sheet, "BODY", place, words)
-            yield from _arms(place, ends)
+        ends = dict.fromkeys(body.fairleads)
+        yield from _arms(place, [at for at in ends if math.dist(at[:2], place[:2]) > 0.0])
+        yield from _hull(sheet, place, body.yaw)
 
 
 def _named(sheet: Drawing, layer: str, place: Point, words: str) -> Iterator[Group]:
     yield from _spot(sheet, layer, place)
-    yield from text("TEXT", sheet.beside(place, 0), words, sheet.text_height)
+    if words:
+        yield from text("TEXT", sheet.beside(place, 0), words, sheet.text_height)
 
 
 def _arms(place: Point, ends: Sequence[Point]) -> Iterator[Group]:
@@ -426,9 +413,9 @@ def _hull(sheet: Drawing, place: Point, yaw: float) -> Iterator[Group]:
     shape = _shape(case)
     if shape is not None:
         yield from circle("BODY", place, 0.5 * shape.widest)
-    floater = None if isinstance(case, Network) else case.floater
+    floater, arms = case.floater, sheet.solved.bodies[0].fairleads
     ship = None if floater is None else floater.ship
-    if ship is None or not isinstance(case, Case) or not case.system or not case.system.has_arms:
+    if ship is None or all(math.dist(at[:2], place[:2]) == 0.0 for at in arms):
         return
     corners = _outline(ship)
     cosine, sine = math.cos(yaw), math.sin(yaw)
@@ -460,25 +447,11 @@ def _coordinates(sheet: Drawing) -> Iterator[Group]:
 
 def _points(sheet: Drawing) -> Iterator[tuple[str, Point]]:
     """Yield every point with its name: all lines at rest."""
-    system, rest = sheet.solved.system, sheet.solved.rest
-    if system is not None:
-        for line, state in zip(sheet.solved.lines, system.lines, strict=True):
-            height = line.solution.anchor_height
-            yield f"anchor of {line.name}", (*state.leg.anchor, height)
-        for line, state in zip(sheet.solved.lines, system.lines, strict=True):
-            yield f"fairlead of {line.name}", (*state.fairlead, state.solution.fairlead_height)
-        height = sheet.solved.lines[0].solution.fairlead_height
-        yield "body under its load", (system.position.x, system.position.y, height)
-        yield "body without load", (system.neutral.x, system.neutral.y, height)
-    if rest is not None:
-        for each, place in zip(rest.network.points, rest.joints.places, strict=True):
-            yield f"{each.kind} {each.name}", place
-        height = rest.network.site.water_depth
-        for body in rest.bodies:
-            name, neutral = body.body.name, body.zero_load_position
-            yield f"{name} under its load", (body.position.x, body.position.y, height)
-            if neutral is not None:
-                yield f"{name} without load", (neutral.x, neutral.y, height)
+    yield from ((each.label, each.place) for each in sheet.solved.points)
+    for body in sheet.solved.bodies:
+        yield f"{body.name} under its load", (body.x, body.y, body.height)
+        if body.neutral is not None:
+            yield f"{body.name} without load", (*body.neutral, body.height)
 
 
 def _around(sheet: Drawing) -> tuple[list[Group], list[str]]:
@@ -488,15 +461,8 @@ def _around(sheet: Drawing) -> tuple[list[Group], list[str]]:
     """
     if not sheet.in_space:
         return list(_swing(sheet)), []
-    system, rest = sheet.solved.system, sheet.solved.rest
-    mooring: System | Network | None = None
-    force = moment = 0.0
-    if system is not None:
-        mooring, moment = system.system, system.system.moment
-        force = math.hypot(*system.system.force)
-    elif rest is not None and len(rest.bodies) == 1:
-        mooring, moment = rest.network, rest.bodies[0].body.moment
-        force = math.hypot(*rest.bodies[0].body.force)
+    mooring, bodies = sheet.solved.mooring, sheet.solved.bodies
+    force = math.hypot(*bodies[0].force) if len(bodies) == 1 else 0.0
     if mooring is None or force == 0.0:
         return [], []
     try:
@@ -509,7 +475,7 @@ def _around(sheet: Drawing) -> tuple[list[Group], list[str]]:
     lowest = min(track, key=lambda place: place[1])
     drawn = [*polyline("SWING", track, closed=True)]
     drawn += text("TEXT", sheet.beside(lowest, -2), words, sheet.text_height)
-    return drawn, ["the watch circle has no moment on the body"] if moment else []
+    return drawn, ["the watch circle has no moment on the body"] if bodies[0].moment else []
 
 
 def _swing(sheet: Drawing) -> Iterator[Group]:

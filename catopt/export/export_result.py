@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import re
 import unicodedata
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from hashlib import sha256
 from textwrap import wrap
@@ -14,16 +14,17 @@ from warnings import warn
 
 from catopt._version import identity
 from catopt.catenary.case import solve_case, under_a_load
-from catopt.catenary.layout import end_of
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
-from catopt.constants import STANDARD_GRAVITY
+from catopt.decks.deck import End
 from catopt.errors import refused
-from catopt.model import Case, Line, PointLoad, Segment
-from catopt.model.network import Network
+from catopt.export.exported_line import ExportedBody, ExportedLine, ExportedLines, ExportedPoint
+from catopt.model import Case, Line
+from catopt.model.network import Network, Point
 from catopt.mooring.case import report_system
+from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.network_rest import LinesAtRest
-from catopt.mooring.solution import SystemSolution, solve_system
+from catopt.mooring.solution import of_line
 from catopt.records import Counted, Digest, From, Record, laid_out
 from catopt.words import Message
 
@@ -175,7 +176,10 @@ ROUNDING = 1e-12
 """Of a number over the fairlead tension: what is below it is shown as 0."""
 
 
-_SAID = ("span", "H", "V at fairlead", "T at fairlead", "T at anchor", "V at anchor", "on the bed")
+_SAID = (
+    *("span", "H", "V at {last}", "T at {last}", "T at {first}", "V at {first}"),
+    "on the bed",
+)
 """What stands in a file for the keys of `FoundForces`."""
 
 
@@ -223,196 +227,44 @@ def in_words(solved: ExportedLines) -> Iterator[str]:
     """Yield lines of text that say what should be found, in SI."""
     yield "Closed form of catopt, SI units, tensions without the water's pressure (effective):"
     for line in solved.lines:
-        yield f"  {plain(line.name)}: {_sentence(line.solution)}"
+        ends = [plain(solved.points[end].name) for end in line.ends]
+        yield f"  {plain(line.name)}: {_sentence(line.solution, *ends)}"
         if line.at_rest is not None:
-            yield f"    on a bed without friction: {_sentence(line.at_rest)}"
-    if solved.system is not None:
-        where, force = solved.system.position, solved.system.system.force
+            yield f"    on a bed without friction: {_sentence(line.at_rest, *ends)}"
+    for body in solved.bodies:
+        count = len(body.fairleads)
         yield (
-            f"  body at x {significant(where.x)} m, y {significant(where.y)} m, yaw "
-            f"{significant(where.yaw)} rad, where the {len(solved.lines)} lines balance a force of "
-            f"{significant(force[0])} N along x and {significant(force[1])} N along y"
+            f"  {plain(body.name)} at x {significant(body.x)} m, y {significant(body.y)} m, yaw "
+            f"{significant(body.yaw)} rad, where the {count} lines balance a force of "
+            f"{significant(body.force[0])} N along x and {significant(body.force[1])} N along y"
         )
 
 
-def _sentence(solution: Solution) -> str:
+def _sentence(solution: Solution, first: str, last: str) -> str:
     found, rounding = FoundForces(solution).to_dict(), ROUNDING * solution.fairlead.tension
     return ", ".join(
-        f"{said} {significant(value if abs(value) > rounding else 0.0)} {key.rpartition('_')[2]}"
+        f"{said.format(first=first, last=last)} "
+        f"{significant(value if abs(value) > rounding else 0.0)} {key.rpartition('_')[2]}"
         for said, (key, value) in zip(_SAID, found.items(), strict=True)
     )
 
 
-STEEL_DENSITY = 7850.0
-"""kg/m3: stands in for a segment whose mass is not known."""
-
-LEAST_VOLUME = 1e-9
-"""Of the mass over the water's density: less is rounding of a body that displaces nothing."""
-
-
-@dataclass(frozen=True)
-class BodyInWater:
-    """Mass (kg, or kg/m) and volume (m3, or m2) that together have a submerged weight.
-
-    Both are of the whole body, or per unstretched length. `is_known`: whether the mass is that of
-    the case; otherwise it stands in, which changes nothing at rest; `drag_area`: of a point load,
-    times its drag coefficient, m2; `added_mass`: its coefficient, on the displaced water.
-    """
-
-    mass: float
-    volume: float
-    is_known: bool = True
-    drag_area: float = 0.0
-    added_mass: float = 0.0
-
-    @property
-    def diameter(self) -> float:
-        """Volume-equivalent diameter, m, where both are per length."""
-        return math.sqrt(4.0 * self.volume / math.pi)
-
-
-def of_segment(segment: Segment, water_density: float, key: str) -> BodyInWater:
-    """Mass and volume of a segment, per length.
-
-    `water_density`: kg/m3; `key`: where the segment stands in the case, for messages. Raises
-    InputError when it does not sink and its mass is not known, or its mass is less than its weight
-    in water.
-    """
-    weight = segment.submerged_weight / STANDARD_GRAVITY
-    if segment.mass == 0.0:
-        allowed = Message("refused_command.must_be_above_0_kg")
-        raise refused(f"{key}.mass", "0 kg/m", allowed, "export")
-    if segment.mass is not None:
-        return _displacing(segment.mass, weight, water_density, f"{key}.mass", "kg/m")
-    if weight <= 0.0:
-        allowed = Message("refused_command.missing_segment_does_not_sink")
-        raise refused(f"{key}.mass", "", allowed, "export")
-    mass = weight / (1.0 - water_density / STEEL_DENSITY)
-    return BodyInWater(mass, mass / STEEL_DENSITY, is_known=False)
-
-
-def of_point_load(load: PointLoad, water_density: float, key: str) -> BodyInWater:
-    """Mass and volume of a clump weight or a buoy, with its drag and added mass.
-
-    `water_density`: kg/m3; `key`: where the load stands in the case, for messages. Raises
-    InputError when its mass in air is less than its weight in water.
-    """
-    weight = load.submerged_weight / STANDARD_GRAVITY
-    if load.mass is None:
-        body = BodyInWater(max(weight, 0.0), max(-weight, 0.0) / water_density, is_known=False)
-    elif abs(load.mass - weight) <= LEAST_VOLUME * load.mass:
-        body = BodyInWater(load.mass, 0.0)
-    else:
-        body = _displacing(load.mass, weight, water_density, f"{key}.mass", "kg")
-    return replace(body, drag_area=load.drag_product, added_mass=load.added_mass_coefficient)
-
-
-def _displacing(
-    mass: float, weight: float, water_density: float, key: str, unit: str
-) -> BodyInWater:
-    volume = (mass - weight) / water_density
-    if volume < LEAST_VOLUME * mass / water_density:
-        allowed = Message("refused_command.must_be_above_what_weight", weight=weight, unit=unit)
-        raise refused(key, f"{mass:.6g} {unit}", allowed, "export")
-    return BodyInWater(mass, volume)
-
-
-@dataclass(frozen=True)
-class ExportedLine:
-    """One line between its two ends.
-
-    `name`: ``line 1``, or that of its leg; `solution`: its equilibrium in its own vertical plane;
-    `at_rest`: the same between the same ends on a bed without friction, None where that is no
-    other; `own_tension`: at the fairlead, N, of the line as the case has it, where `solution` has
-    another EA; `anchor`: its x and y, m; `heading`: from there to the fairlead, counter-clockwise
-    from x, rad; `is_anchored`: whether its first end is one.
-    """
-
-    name: str
-    solution: Solution
-    at_rest: Solution | None
-    own_tension: float
-    anchor: tuple[float, float] = (0.0, 0.0)
-    heading: float = 0.0
-    is_anchored: bool = True
-
-    @property
-    def expected(self) -> Solution:
-        """What a program that knows no friction at rest should find."""
-        return self.solution if self.at_rest is None else self.at_rest
-
-    def in_space(self, distance: float, height: float) -> tuple[float, float, float]:
-        """Place a point of the line's plane: x, y and height above the bed, m.
-
-        `distance`, `height`: horizontally from the anchor, and above the bed, m.
-        """
-        x, y = self.anchor
-        cosine, sine = math.cos(self.heading), math.sin(self.heading)
-        return x + distance * cosine, y + distance * sine, height
-
-    def in_plane(self, arc: float) -> tuple[float, float]:
-        """Distance and height of the point `arc` (m, unstretched) from the anchor, m."""
-        stretch = [each for each in self.solution.stretches if each.start <= arc][-1]
-        return end_of(stretch, min(arc - stretch.start, stretch.length))
-
-    def at(self, arc: float) -> tuple[float, float, float]:
-        """Place of the point `arc` (m, unstretched) from the anchor: x, y, height above the bed."""
-        return self.in_space(*self.in_plane(arc))
-
-
-@dataclass(frozen=True)
-class ExportedLines:
-    """A case with its lines where they hang.
-
-    `case`: under the load that was taken; `lines`: one, or those of the system; `system`: of a
-    moored body; `rest`: of lines between points; `EA`: of the segments that do not stretch in the
-    case, N; None: they were left as they are; `warnings`: what an engineer should know before using
-    the answer.
-    """
-
-    case: Case | Network
-    lines: tuple[ExportedLine, ...]
-    system: SystemSolution | None
-    EA: float | None
-    warnings: tuple[str, ...]
-    rest: LinesAtRest | None = None
-
-    @property
-    def highest(self) -> float:
-        """Largest height of any line above the bed, m."""
-        return max(max(line.solution.profile().z) for line in self.lines)
-
-
-def exported_lines(case: Case, EA: float | None = None) -> ExportedLines:
+def exported_lines(case: Case | Network, EA: float | None = None) -> ExportedLines:
     """Solve a case, and once more with an EA for the segments that do not stretch.
 
     `EA`: for segments without, N; the load stays what it is. Raises NoEquilibriumError,
-    NotConvergedError as for `solve_case` and `solve_system`.
+    NotConvergedError as for `solve_case` and `solve_system`; InputError for lines in a current.
     """
+    if isinstance(case, Network):
+        return _between_points(case, EA)
     return _line(case, EA) if case.system is None else _body(case, EA)
 
 
-def network_lines(network: Network) -> ExportedLines:
-    """Solve lines between points; raises what `solve_system` raises."""
-    network.site.check_water()
-    if network.current_at_rest is not None:
-        raise refused("current", "", Message("refused_case.current_for_solve_and_check"))
-    rest = solve_system(network)
-    lines = []
-    for number, (run, solution) in enumerate(zip(rest.runs, rest.lines, strict=True)):
-        first, second = (rest.joints.places[end] for end in (run.first, run.second))
-        way = math.atan2(second[1] - first[1], second[0] - first[0])
-        tension, is_anchored = solution.fairlead.tension, rest.is_anchored(number)
-        name = run.name or f"line {number + 1}"
-        lines.append(ExportedLine(name, solution, None, tension, first[:2], way, is_anchored))
-    return ExportedLines(network, tuple(lines), None, None, (), rest)
-
-
-def rigid_segments(case: Case) -> tuple[str, ...]:
+def rigid_segments(case: Case | Network) -> tuple[str, ...]:
     """List the segments of a case that do not stretch, by their keys, each once."""
     found = (
-        f"line.segments[{number}]"
-        for line in case.every_line
+        f"{key}.segments[{number}]"
+        for key, line in case.keyed_lines
         for number, segment in enumerate(line.segments)
         if segment.is_inextensible
     )
@@ -425,8 +277,19 @@ def _line(case: Case, EA: float | None) -> ExportedLines:
     own = solve_case(case)
     case, _ = under_a_load(case)
     solution = own if EA is None else _stretching(own, case, EA)
-    line = ExportedLine("line 1", solution, _at_rest(solution), own.fairlead.tension)
-    return ExportedLines(case, (line,), None, EA, own.warnings)
+    line = ExportedLine("line 1", solution, _at_rest(solution), own.fairlead.tension, (0, 1))
+    points = _ends(line, (solution.span, 0.0))
+    return ExportedLines(case, (line,), points, EA=EA, warnings=own.warnings)
+
+
+def _ends(line: ExportedLine, fairlead: tuple[float, float]) -> tuple[ExportedPoint, ExportedPoint]:
+    """Make points of the two ends of a line; x and y of the second in m."""
+    solution, of = line.solution, f"of {line.name}"
+    first, second = (*line.anchor, solution.anchor_height), (*fairlead, solution.fairlead_height)
+    return (
+        ExportedPoint("anchor", f"anchor {of}", "fixed", first),
+        ExportedPoint("fairlead", f"fairlead {of}", "coupled", second),
+    )
 
 
 def _stretching(own: Solution, case: Case, EA: float) -> Solution:
@@ -458,12 +321,146 @@ def _body(case: Case, EA: float | None) -> ExportedLines:
             state.solution,
             _at_rest(state.solution),
             before.tension,
+            (number - 1, len(own.lines) + number - 1),
             anchor=state.leg.anchor,
             heading=state.direction + math.pi,
         )
         for number, (state, before) in enumerate(zip(solved.lines, own.lines, strict=True), start=1)
     )
-    return ExportedLines(case, lines, solved, EA, own.warnings)
+    pairs = (_ends(line, each.fairlead) for line, each in zip(lines, solved.lines, strict=True))
+    anchors, fairleads = zip(*pairs, strict=True)
+    at, neutral, system = solved.position, solved.neutral, solved.system
+    body = ExportedBody(
+        "body",
+        at.x,
+        at.y,
+        at.yaw,
+        fairleads[0].place[2],
+        system.force,
+        system.moment,
+        (neutral.x, neutral.y),
+        tuple(each.place for each in fairleads),
+    )
+    return ExportedLines(case, lines, anchors + fairleads, (body,), EA, own.warnings, system)
+
+
+_ENDS: Mapping[str, End] = {"anchor": "fixed", "fairlead": "coupled", "joint": "free"}
+
+
+def _between_points(network: Network, EA: float | None) -> ExportedLines:
+    """Bring points, lines and bodies to rest; bodies are held there on a bed without friction."""
+    network = network.without_motion()
+    network.site.check_water()
+    if network.current_at_rest is not None:
+        raise refused("current", "", Message("refused_command.exported_in_still_water"), "export")
+    own = at_rest(network)
+    rest = own if EA is None else at_rest(_stretched(network, EA))
+    smooth = _on_smooth_bed(rest)
+    used = {each.name: each.used for each in rest.floats}
+    points = tuple(
+        ExportedPoint(
+            of.name,
+            f"{of.kind} {of.name}",
+            _ENDS[of.kind],
+            place,
+            of.name,
+            _hung(of, used.get(of.name)) if of.kind == "joint" else None,
+            f"points[{number}]",
+            reaction,
+        )
+        for number, (of, place, reaction) in enumerate(rest.points)
+    )
+    laid = zip(rest.runs, network.lines, rest.lines, smooth, own.lines, strict=True)
+    lines = []
+    for number, (run, given, solution, bare, before) in enumerate(laid):
+        (x, y, _), (to_x, to_y, _) = points[run.first].place, points[run.second].place
+        lines.append(
+            ExportedLine(
+                given.name or f"line {run.name}",
+                solution,
+                bare,
+                before.fairlead.tension,
+                (run.first, run.second),
+                anchor=(x, y),
+                heading=math.atan2(to_y - y, to_x - x),
+                key=f"lines[{number}]",
+                is_turned=network.numbers[given.start] != run.first,
+            )
+        )
+    warnings = (
+        of_line(number, warning)
+        for number, line in enumerate(own.lines, start=1)
+        for warning in line.warnings
+    )
+    said = (*warnings, *_stand_ins(rest))
+    bodies = tuple(_bodies(rest))
+    return ExportedLines(network, tuple(lines), points, bodies, EA, said, network)
+
+
+def _stand_ins(rest: LinesAtRest) -> Iterator[Message]:
+    """Say which joints have another weight in the file."""
+    afloat = ", ".join(each.name for each in rest.floats if each.left > 0.0)
+    if afloat:
+        yield Message("export.floats", names=afloat)
+    pulled = ", ".join(each.name for each in rest.network.points if each.force[2] != 0.0)
+    if pulled:
+        yield Message("export.pulled", names=pulled)
+
+
+def _hung(joint: Point, used: float | None) -> Point:
+    """Put the lift of a float that its lines use, N, and a force up or down, in a joint's weight.
+
+    So it keeps its height under water; the mass of what is pulled up or down no longer fits.
+    """
+    along, across, up = joint.force
+    return replace(
+        joint,
+        submerged_weight=(joint.submerged_weight if used is None else -used) - up,
+        force=(along, across, 0.0),
+        mass=joint.mass if up == 0.0 else None,
+        float_height=None,
+    )
+
+
+def _bodies(rest: LinesAtRest) -> Iterator[ExportedBody]:
+    for each in rest.bodies:
+        own, places = rest.network.arms_of(each.body), rest.joints.places
+        ends = [end for run in rest.runs for end in (run.first, run.second) if end in own]
+        at, neutral = each.position, each.zero_load_position
+        along, across = each.body.force
+        yield ExportedBody(
+            each.body.name,
+            at.x,
+            at.y,
+            at.yaw,
+            places[next(iter(own))][2],
+            (along, across),
+            each.body.moment,
+            None if neutral is None else (neutral.x, neutral.y),
+            tuple(places[end] for end in ends),
+        )
+
+
+def _stretched(network: Network, EA: float) -> Network:
+    lines = (replace(each, line=_with_EA(each.line, EA)) for each in network.lines)
+    return replace(network, lines=tuple(lines))
+
+
+def _on_smooth_bed(rest: LinesAtRest) -> tuple[Solution | None, ...]:
+    """Solve the lines of a network anew without friction, bodies held; None where they feel none.
+
+    Joints come to rest elsewhere then.
+    """
+    network = rest.network
+    if not any(map(_feels_friction, rest.lines)):
+        return (None,) * len(rest.lines)
+    points = tuple(
+        replace(of, x=x, y=y, height=z, body="") if of.kind == "fairlead" else of
+        for of, (x, y, z), _ in rest.points
+    )
+    lines = tuple(replace(each, line=_smooth(each.line)) for each in network.lines)
+    site = replace(network.site, seabed_friction=0.0)
+    return at_rest(replace(network, site=site, points=points, lines=lines, bodies=())).lines
 
 
 def _with_EA(line: Line, EA: float) -> Line:
@@ -471,15 +468,22 @@ def _with_EA(line: Line, EA: float) -> Line:
     return Line(segments, line.point_loads)
 
 
+def _smooth(line: Line) -> Line:
+    return Line(line.segments, [replace(load, friction=None) for load in line.point_loads])
+
+
+def _feels_friction(solution: Solution) -> bool:
+    loads = solution.line.point_loads
+    rough = solution.seabed_friction > 0.0 or any(load.friction for load in loads)
+    return rough and solution.grounded_length != 0.0
+
+
 def _at_rest(solution: Solution) -> Solution | None:
     """Solve the line anew between its ends, without friction; None where it feels none."""
-    line = solution.line
-    rough = solution.seabed_friction > 0.0 or any(load.friction for load in line.point_loads)
-    if not rough or solution.grounded_length == 0.0:
+    if not _feels_friction(solution):
         return None
-    loads = [replace(load, friction=None) for load in line.point_loads]
     return solve(
-        Line(line.segments, loads),
+        _smooth(solution.line),
         height=solution.fairlead_height,
         anchor_height=solution.anchor_height,
         span=solution.span,

@@ -11,16 +11,10 @@ import math
 from collections.abc import Iterator, Sequence
 
 from catopt.decks.deck import Deck
-from catopt.export.export_result import (
-    Exported,
-    ExportedLines,
-    Source,
-    exported,
-    heading,
-    significant,
-)
+from catopt.export.export_result import Exported, Source, exported, heading, significant
+from catopt.export.exported_line import ExportedLines
 from catopt.export.moordyn_model import ELEMENTS, ROUNDING, Model, model_of, remarks_of, resting
-from catopt.export.programs import deck_of
+from catopt.export.programs import deck_of, named_points, refuse_forces
 
 SINKING = 1e-3
 """How deep the bed's springs let the line's own weight sink in, m."""
@@ -53,9 +47,10 @@ def moordyn_input(
     """
     model = model_of(solved, elements=elements, true_depth=true_depth)
     remarks = tuple(remarks_of(model))
+    refuse_forces(model, "MoorDyn")
     deck = deck_of(model)
     lines = [
-        *_header(model, remarks, sources),
+        *_header(model, deck, remarks, sources),
         *_line_types(deck),
         *_points(deck),
         *_lines(deck, model),
@@ -64,7 +59,9 @@ def moordyn_input(
     return exported("moordyn", solved, "\n".join(lines) + "\n", remarks, sources)
 
 
-def _header(model: Model, remarks: Sequence[str], sources: Sequence[Source]) -> Iterator[str]:
+def _header(
+    model: Model, deck: Deck, remarks: Sequence[str], sources: Sequence[Source]
+) -> Iterator[str]:
     """Yield what stands before the first section: neither program reads it."""
     own = [
         "Diam is the volume-equivalent diameter: that of a cylinder with the line's volume, from "
@@ -72,6 +69,7 @@ def _header(model: Model, remarks: Sequence[str], sources: Sequence[Source]) -> 
         "diameter of chain or rope. Heights count from the water surface. Fairleads are Coupled "
         "points at rest: run without moving them, and compare the force on them."
     ]
+    own += named_points(model, deck)
     missed = _missed(model)
     if missed > 0.0:
         own.append(
@@ -153,10 +151,9 @@ def _bed_stiffness(model: Model) -> float:
     wanted = [
         each.segment.submerged_weight / (each.body.diameter * SINKING) for each in model.types
     ]
-    for part, index, reaction in resting(model.parts):
+    for reaction, pieces in resting(model):
         area = sum(
-            0.5 * piece.length / piece.elements * piece.type.body.diameter
-            for piece in part.pieces[index - 1 : index + 1]
+            0.5 * piece.length / piece.elements * piece.type.body.diameter for piece in pieces
         )
         wanted.append(reaction / (area * SINKING))
     largest = max(wanted)

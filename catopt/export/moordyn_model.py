@@ -5,19 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import accumulate, pairwise
+from itertools import accumulate, chain, pairwise
 
 from catopt.errors import InputError, Problem, refused
-from catopt.export.export_result import (
-    STEEL_DENSITY,
-    BodyInWater,
-    ExportedLine,
-    ExportedLines,
-    of_point_load,
-    of_segment,
-    significant,
-    word,
-)
+from catopt.export.body_in_water import STEEL_DENSITY, BodyInWater, of_point_load, of_segment
+from catopt.export.export_result import significant, word
+from catopt.export.exported_line import ExportedLine, ExportedLines
 from catopt.model import Line, PointLoad, Segment
 from catopt.words import Message
 
@@ -75,10 +68,14 @@ class LinePart:
 
 @dataclass(frozen=True)
 class Model:
-    """What is written: all lines cut, and the height of the water surface above the bed, m."""
+    """What is written: all lines cut, and the height of the water surface above the bed, m.
+
+    `ends`: what hangs where lines end or meet, by the number of the point.
+    """
 
     solved: ExportedLines
     parts: Sequence[LinePart]
+    ends: Sequence[BodyInWater]
     surface: float
 
     @property
@@ -108,7 +105,8 @@ def model_of(
     """
     raised = is_above(solved) and not true_depth
     surface = solved.highest if raised else solved.case.site.water_depth
-    return Model(solved, _parts(solved, elements, program), surface)
+    parts = _parts(solved, elements, program)
+    return Model(solved, parts, _at_ends(solved, parts), surface)
 
 
 def is_above(solved: ExportedLines) -> bool:
@@ -129,12 +127,14 @@ def _parts(solved: ExportedLines, elements: int, program: str) -> list[LinePart]
         for number, segment in enumerate(of.segments):
             key = replace(segment, length=1.0)
             try:
-                known[key] = known.get(key) or _line_type(segment, number, density, known, program)
+                known[key] = known.get(key) or _line_type(
+                    segment, (number, line.key_of(number)), density, known, program
+                )
                 types.append(known[key])
             except InputError as error:
                 problems += error.problems
         try:
-            joints = _joints(of, density)
+            joints = _joints(of, density, line.key)
         except InputError as error:
             problems += error.problems
         if not problems:
@@ -146,12 +146,12 @@ def _parts(solved: ExportedLines, elements: int, program: str) -> list[LinePart]
 
 def _line_type(
     segment: Segment,
-    number: int,
+    place: tuple[int, str],
     density: float,
     known: Mapping[Segment, LineType],
     program: str,
 ) -> LineType:
-    key = f"line.segments[{number}]"
+    number, key = place
     if segment.is_inextensible:
         allowed = Message("refused_command.missing_lets_every_line_stretch", program=program)
         raise refused(f"{key}.EA", "", allowed, program)
@@ -162,7 +162,24 @@ def _line_type(
     return LineType(name, segment, of_segment(segment, density, key))
 
 
-def _joints(line: Line, density: float) -> list[Joint]:
+def _at_ends(solved: ExportedLines, parts: Sequence[LinePart]) -> list[BodyInWater]:
+    """Put what hangs at each point together: of its own, and at the ends of its lines."""
+    density, problems = solved.case.site.water_density, list[Problem]()
+    hung: list[list[BodyInWater]] = [[] for _ in solved.points]
+    for bodies, point in zip(hung, solved.points, strict=True):
+        try:
+            bodies += [of_point_load(point.joint, density, point.key)] if point.joint else []
+        except InputError as error:
+            problems += error.problems
+    if problems:
+        raise InputError(problems, "export")
+    for part in parts:
+        for end, joint in zip(part.line.ends, (part.joints[0], part.joints[-1]), strict=True):
+            hung[end].append(joint.body)
+    return [_together(bodies) for bodies in hung]
+
+
+def _joints(line: Line, density: float, key: str) -> list[Joint]:
     """Cut a line where segments meet and loads hang, and put together what hangs at one place."""
     total = line.length
     between = list(accumulate(segment.length for segment in line.segments[:-1]))
@@ -174,17 +191,22 @@ def _joints(line: Line, density: float) -> list[Joint]:
     for load in line.point_loads:
         hung[min(range(len(arcs)), key=lambda k: abs(arcs[k] - load.position))].append(load)
     return [
-        Joint(arc, loads, _hanging(line, loads, density))
+        Joint(arc, loads, _hanging(line, loads, density, key))
         for arc, loads in zip(arcs, hung, strict=True)
     ]
 
 
-def _hanging(line: Line, loads: Sequence[PointLoad], density: float) -> BodyInWater:
+def _hanging(line: Line, loads: Sequence[PointLoad], density: float, key: str) -> BodyInWater:
     """Put what hangs at a joint together."""
-    bodies = [
-        of_point_load(load, density, f"line.point_loads[{line.point_loads.index(load)}]")
-        for load in loads
-    ]
+    return _together(
+        [
+            of_point_load(load, density, f"{key}.point_loads[{line.point_loads.index(load)}]")
+            for load in loads
+        ]
+    )
+
+
+def _together(bodies: Sequence[BodyInWater]) -> BodyInWater:
     volume = math.fsum(body.volume for body in bodies)
     added = math.fsum(body.volume * body.added_mass for body in bodies)
     return BodyInWater(
@@ -211,9 +233,12 @@ def _pieces(
     return pieces
 
 
-def resting(parts: Sequence[LinePart]) -> Iterator[tuple[LinePart, int, float]]:
-    """Yield the joints at which the bed carries some of what hangs there, with how much; N."""
-    for part in parts:
+def resting(model: Model) -> Iterator[tuple[float, list[ModelPiece]]]:
+    """Yield what the bed carries of each point and point load that rests on it, N; and the pieces.
+
+    These are those that meet there.
+    """
+    for part in model.parts:
         states = part.line.solution.point_loads
         for index, joint in enumerate(part.joints[1:-1], start=1):
             carried = sum(
@@ -222,7 +247,12 @@ def resting(parts: Sequence[LinePart]) -> Iterator[tuple[LinePart, int, float]]:
                 if load in joint.loads
             )
             if carried > 0.0:
-                yield part, index, carried
+                yield carried, list(part.pieces[index - 1 : index + 1])
+    for number, point in enumerate(model.solved.points):
+        if point.bed_reaction > 0.0:
+            ends = ((part, end) for part in model.parts for end in (0, -1))
+            meeting = [part.pieces[e] for part, e in ends if part.line.ends[e] == number]
+            yield point.bed_reaction, meeting
 
 
 MOORPY_REACH = 2.0
@@ -242,17 +272,14 @@ def remarks_of(model: Model) -> Iterator[str]:
             "Compare with the closed form on a bed without friction; the fairleads stand where "
             "they do with friction."
         )
-    if any(resting(model.parts)):
+    if any(resting(model)):
         yield (
             "a point load rests on the bed: a point of MoorDyn does not feel the bed, the line at "
             "its two sides carries it, for which kBot is made stiff enough to let it sink by 1 mm."
         )
-    heights = (
-        part.line.at(joint.arc)[2]
-        for part in model.parts
-        for joint in part.joints
-        if joint.body.mass > 0.0 or joint.body.volume > 0.0
-    )
+    inner = ((p.line.at(j.arc)[2], j.body) for p in model.parts for j in p.joints[1:-1])
+    ends = ((p.place[2], body) for p, body in zip(model.solved.points, model.ends, strict=True))
+    heights = (height for height, body in chain(inner, ends) if body.mass or body.volume)
     if any(height < MOORPY_REACH for height in heights):
         yield (
             "MoorPy lets the bed carry some of a point load that hangs less than 2 m above it: set "
@@ -294,7 +321,8 @@ def common_remarks(model: Model) -> Iterator[str]:
             f"mass in air not known of {', '.join(unknown)}: that of steel ({STEEL_DENSITY:g} "
             "kg/m3) with the submerged weight of the case stands in. At rest it changes nothing."
         )
-    if any(not joint.body.is_known for part in model.parts for joint in part.joints):
+    inner = (joint.body for part in model.parts for joint in part.joints)
+    if not all(body.is_known for body in chain(inner, model.ends)):
         yield (
             "mass in air not known of a point load: a weight without volume, or a volume without "
             "mass, with its submerged weight stands in. At rest it changes nothing."
@@ -306,10 +334,10 @@ def common_remarks(model: Model) -> Iterator[str]:
             f"{ADDED_MASS:g} across, 0 along stand in. At rest they change nothing; give your own "
             "before a run in waves."
         )
-    if solved.system is not None:
+    for body in solved.bodies:
         yield (
-            "the body is not in the file: each fairlead is held where it is under the load, and "
-            "the forces of all lines together balance that load."
+            f"the {body.name} is not in the file: each fairlead is held where it is under the "
+            "load, and the forces of all lines together balance that load."
         )
     left = [key for key in ("waves", "current", "motion") if getattr(solved.case, key) is not None]
     if left:

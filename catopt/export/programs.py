@@ -9,10 +9,12 @@ from types import MappingProxyType
 from typing import Literal
 
 from catopt.constants import STANDARD_GRAVITY
-from catopt.decks.deck import Deck, DeckPiece, End, LineType, Notes, Point
-from catopt.decks.to_case import Chain, chains_of, weight_of
-from catopt.errors import refused
-from catopt.export.export_result import Exported, ExportedLines, Source, exact, exported, heading
+from catopt.decks.deck import Deck, DeckPiece, End, LineType, Point
+from catopt.decks.to_case import Chain, weight_of
+from catopt.errors import InputError, Problem, refused
+from catopt.export.body_in_water import BodyInWater
+from catopt.export.export_result import Exported, Source, exact, exported, heading, significant
+from catopt.export.exported_line import ExportedLines
 from catopt.export.moordyn_model import (
     ADDED_MASS,
     DRAG,
@@ -26,32 +28,76 @@ from catopt.export.moordyn_model import (
 from catopt.export.moordyn_model import LineType as Kind
 from catopt.words import Message
 
+Force = tuple[float, float, float]
+NO_FORCE: Force = (0.0, 0.0, 0.0)
+
 
 def deck_of(model: Model) -> Deck:
     """Turn cut lines into a deck: types, points from 1 on, and the pieces between them."""
     friction = max(line.solution.seabed_friction for line in model.solved.lines)
     points: dict[str, Point] = {}
     pieces: list[DeckPiece] = []
+    numbers: dict[int, str] = {}
+
+    def put(end: End, place: Sequence[float], body: BodyInWater, force: Force = NO_FORCE) -> str:
+        # Without rounding at the water and at the bed: MoorPy lets a line weigh more whose end is
+        # 1e-15 m above the water.
+        z, levels = place[2] - model.surface, (0.0, -model.surface)
+        z = next((each for each in levels if abs(z - each) <= ROUNDING * model.surface), z)
+        name = str(len(points) + 1)
+        own = (body.mass, body.volume, body.drag_area, body.added_mass, force)
+        points[name] = Point(0, name, end, place[0], place[1], z, *own)
+        return name
+
     for part in model.parts:
-        last = len(part.joints) - 1
+        names = []
         for index, joint in enumerate(part.joints):
-            name, body = str(len(points) + 1), joint.body
-            x, y, height = part.line.at(joint.arc)
-            # Without rounding at the water and at the bed: MoorPy lets a line weigh more whose end
-            # is 1e-15 m above the water.
-            z = height - model.surface
-            levels = (0.0, -model.surface)
-            z = next((each for each in levels if abs(z - each) <= ROUNDING * model.surface), z)
-            end: End = "fixed" if index == 0 else "coupled" if index == last else "free"
-            of_body = (body.mass, body.volume, body.drag_area, body.added_mass)
-            points[name] = Point(0, name, end, x, y, z, *of_body)
-        first = len(points) - last
-        for number, piece in enumerate(part.pieces, start=first):
-            ends = (str(number), str(number + 1))
-            pieces.append(DeckPiece(0, piece.type.name, ends, piece.length))
+            at = part.line.ends[-1 if index else 0]
+            if 0 < index < len(part.joints) - 1:
+                names.append(put("free", part.line.at(joint.arc), joint.body))
+                continue
+            if at not in numbers:
+                of = model.solved.points[at]
+                numbers[at] = put(of.end, of.place, model.ends[at], of.force)
+            names.append(numbers[at])
+        for piece, *ends in zip(part.pieces, names, names[1:], strict=False):
+            pieces.append(DeckPiece(0, piece.type.name, (ends[0], ends[1]), piece.length))
     types = {each.name: _line_type(each, friction) for each in model.types}
     density = model.solved.case.site.water_density
     return Deck(STANDARD_GRAVITY, density, model.surface, types, points, pieces, friction)
+
+
+def chains_in(model: Model, deck: Deck) -> list[Chain]:
+    """Cut a deck into the lines that it is of."""
+    found, left = [], list(deck.pieces)
+    for part in model.parts:
+        pieces, left = left[: len(part.pieces)], left[len(part.pieces) :]
+        names = [pieces[0].ends[0], *(piece.ends[1] for piece in pieces)]
+        found.append(Chain([deck.points[name] for name in names], pieces))
+    return found
+
+
+def named_points(model: Model, deck: Deck) -> list[str]:
+    """Say which number the points of the case have in the file, where lines meet."""
+    if not any(point.joint for point in model.solved.points):
+        return []
+    found: dict[str, str] = {}
+    for part, line in zip(model.parts, chains_in(model, deck), strict=True):
+        ends = (model.solved.points[end].name for end in part.line.ends)
+        found |= zip((line.anchor.name, line.fairlead.name), ends, strict=True)
+    return [f"Points: {', '.join(f'{number} {name}' for number, name in found.items())}"]
+
+
+def refuse_forces(model: Model, program: str) -> None:
+    """Refuse forces along the water on joints; InputError with each."""
+    allowed = Message("refused_command.no_force_on_a_point", program=program)
+    problems = [
+        Problem(f"{point.key}.force", f"{point.force[:2]} N", allowed)
+        for point in model.solved.points
+        if any(point.force)
+    ]
+    if problems:
+        raise InputError(problems, program)
 
 
 def _line_type(each: Kind, friction: float) -> LineType:
@@ -78,7 +124,7 @@ _TOLERANCES = ("inner_ftol 1e-12", "inner_gtol 1e-12", "inner_xtol 1e-12", "oute
 _KINDS = {"fixed": "fix", "coupled": "vessel", "free": "connect"}
 
 
-def mappp_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
+def mappp_lines(deck: Deck, _chains: Sequence[Chain], said: Iterable[str]) -> Iterator[str]:
     """Yield the lines of the file; `said`: what it says of itself.
 
     A comment begins with a blank for MAP++ itself, and with ``!`` for OpenFAST.
@@ -99,7 +145,7 @@ def mappp_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
         place = [mark + exact(each) for each in (point.x, point.y, point.z)]
         if point.end == "fixed" and point.z == -deck.depth:
             place[2] = "depth"
-        forces = "0 0 0" if mark else "# # #"
+        forces = " ".join(map(significant, point.force)) if mark else "# # #"
         of_body = f"{exact(point.mass)} {exact(point.volume)}"
         yield " ".join([point.name, _KINDS[point.end], *place, of_body, forces])
     yield "---- LINE PROPERTIES ----"
@@ -123,10 +169,11 @@ for name, d_vol, m, EA, Cd, CdAx, Ca, CaAx in LINE_TYPES:
     kind = {"name": name, "material": name, "d_vol": d_vol, "m": m, "EA": EA, "cost": 0.0}
     kind["w"] = (m - np.pi / 4 * d_vol**2 * system.rho) * system.g
     system.lineTypes[name] = kind | {"Cd": Cd, "CdAx": CdAx, "Ca": Ca, "CaAx": CaAx}
-for kind, place, m, v, CdA, Ca in POINTS:
-    point = system.addPoint(kind, np.array(place), m=m, v=v)
+for kind, place, m, v, CdA, Ca, force in POINTS:
+    point = system.addPoint(kind, np.array(place), m=m, v=v, fExt=np.array(force))
     point.CdA, point.Ca = CdA, Ca
     point.zTol = 0.001  # its own 2 m take weight off what hangs near the bed
+    point.zSpan = np.array([-2.0, -1.0]) * system.depth  # all of it is under water
 for length, name, anchor_side, fairlead_side in LINES:
     system.addLine(length, name, pointA=anchor_side, pointB=fairlead_side)
 system.initialize()
@@ -138,7 +185,7 @@ for point in system.pointList:
         print(f"fairlead {point.number}: H {np.hypot(fx, fy):.1f} N, V {-fz:.1f} N")"""
 
 
-def moorpy_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
+def moorpy_lines(deck: Deck, _chains: Sequence[Chain], said: Iterable[str]) -> Iterator[str]:
     """Yield the lines of the script; `said`: what it says of itself."""
     for line in said:
         yield f"# {line}".rstrip()
@@ -157,11 +204,12 @@ def moorpy_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
         numbers = (kind.diameter, kind.mass, kind.EA, *kind.drag)
         yield f'    ("{name}", {", ".join(map(exact, numbers))}),'
     yield "]"
-    yield "POINTS = [  # 1 fixed, -1 held on the body, 0 free; place (m), kg, m3, Cd A (m2), Ca"
+    yield "POINTS = [  # 1 fixed, -1 held on the body, 0 free; place (m), kg, m3, Cd A (m2), Ca, N"
     for point in deck.points.values():
         at = ", ".join(map(exact, (point.x, point.y, point.z)))
         body = ", ".join(map(exact, point.body))
-        yield f"    ({_MOORPY_SCRIPT_KINDS[point.end]}, ({at}), {body}),"
+        force = ", ".join(map(exact, point.force))
+        yield f"    ({_MOORPY_SCRIPT_KINDS[point.end]}, ({at}), {body}, ({force})),"
     yield "]"
     yield "LINES = [  # unstretched length (m), type, points at its ends"
     for piece in deck.pieces:
@@ -170,12 +218,13 @@ def moorpy_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
     yield _SOLVED
 
 
-def ontology_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
+def ontology_lines(deck: Deck, chains: Sequence[Chain], said: Iterable[str]) -> Iterator[str]:
     """Yield the lines of the file; `said`: what it says of itself.
 
-    Raises InputError where an anchor stands above the bed.
+    Raises InputError where a line does not run from an anchor on the bed to a platform.
     """
-    chains = chains_of(deck, Notes())
+    if any((chain.anchor.end, chain.fairlead.end) != ("fixed", "coupled") for chain in chains):
+        raise refused("points", "", Message("refused_command.ontology_lines"), "ontology")
     raised = max(chain.anchor.z for chain in chains) + deck.depth
     if raised > 0.0:
         allowed = Message("refused_command.must_be_0_ontology_anchors")
@@ -212,7 +261,7 @@ def ontology_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
     yield "  anchor: {type: unspecified}"
 
 
-def _body(chains: list[Chain]) -> Iterator[str]:
+def _body(chains: Sequence[Chain]) -> Iterator[str]:
     """Yield the platform at x = y = 0, its fairleads and its mooring system."""
     yield "array:"
     keys = "ID, topsideID, platformID, mooringID, x_location, y_location, heading_adjust"
@@ -259,7 +308,7 @@ _CONNECTION = (
 _ATTACHMENT = "AttachmentType, Attachmentx, Attachmenty, Attachmentz, AttachmentzRelativeTo"
 
 
-def orcaflex_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
+def orcaflex_lines(deck: Deck, chains: Sequence[Chain], said: Iterable[str]) -> Iterator[str]:
     """Yield the lines of the file; `said`: what it says of itself."""
     contact = max(kind.diameter for kind in deck.types.values())
     weights = (weight_of(deck, kind) for kind in deck.types.values())
@@ -280,7 +329,6 @@ def orcaflex_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
     yield "LineTypes:"
     for name, kind in deck.types.items():
         yield from _type(name, kind, contact)
-    chains = chains_of(deck, Notes())
     hung = [point for chain in chains for point in chain.hung]
     if hung:
         yield "ClumpTypes:"
@@ -293,6 +341,12 @@ def orcaflex_lines(deck: Deck, said: Iterable[str]) -> Iterator[str]:
     yield "    Connection: Fixed"
     yield "    InitialPosition: [0, 0, 0]"
     yield "    InitialAttitude: [0, 0, 0]"
+    ends = (point for chain in chains for point in (chain.anchor, chain.fairlead))
+    joints = list(dict.fromkeys(point for point in ends if point.end == "free"))
+    if joints:
+        yield "3DBuoys:"
+    for point in joints:
+        yield from _joint(point)
     yield "Lines:"
     for number, chain in enumerate(chains, start=1):
         yield from _line(number, chain, deck.depth, 0.5 * contact)
@@ -316,6 +370,28 @@ def _type(name: str, kind: LineType, contact: float) -> Iterator[str]:
     yield "    SeabedAxialFrictionCoefficient: ~"
 
 
+def _joint(point: Point) -> Iterator[str]:
+    """Yield a buoy in which lines meet; it is no higher than a point."""
+    yield f"  - Name: joint_{point.name}"
+    yield "    Connection: Free"
+    yield f"    InitialPosition: [{_place(point, 0.0)}]"
+    yield f"    Mass: {exact(point.mass / 1e3)}"
+    yield f"    Volume: {exact(point.volume)}"
+    yield "    Height: 0.001"
+    yield f"    DragArea: [{', '.join([exact(point.drag_area)] * 3)}]"
+    yield "    Cd: [1, 1, 1]"
+    yield f"    Ca: [{', '.join([exact(point.added_mass)] * 3)}]"
+
+
+def _connection(point: Point, up: float, declination: int) -> str:
+    """Say to what an end of a line is connected; heights of anchors count from the bed."""
+    to, lift = {
+        "fixed": ("Anchored", up), "coupled": ("body", 0.0), "free": (f"joint_{point.name}", 0.0)
+    }[point.end]  # fmt: skip
+    place = "0, 0, 0" if point.end == "free" else _place(point, lift)
+    return f"[{to}, {place}, 0, {declination}, 0, ~]"
+
+
 def _line(number: int, chain: Chain, depth: float, lifted: float) -> Iterator[str]:
     """Yield a line; its fairlead is held by a fixed buoy that stands for the body."""
     anchor, fairlead = chain.anchor, chain.fairlead
@@ -323,8 +399,8 @@ def _line(number: int, chain: Chain, depth: float, lifted: float) -> Iterator[st
     yield f"  - Name: line {number}"
     yield "    TopEnd: End A"
     yield f"    ? {_CONNECTION}"
-    yield f"    : - [body, {_place(fairlead, 0.0)}, 0, 0, 0, ~]"
-    yield f"      - [Anchored, {_place(anchor, depth + lifted)}, 0, 90, 0, ~]"
+    yield f"    : - {_connection(fairlead, depth + lifted, 0)}"
+    yield f"      - {_connection(anchor, depth + lifted, 90)}"
     yield "    LineType, Length, TargetSegmentLength:"
     total = math.fsum(piece.length for piece in chain.pieces)
     for piece in reversed(chain.pieces):
@@ -355,17 +431,18 @@ ProgramFormat = Literal["map", "moorpy", "ontology", "orcaflex"]
 class Program:
     """A program that takes lines at rest.
 
-    `first`: what the file is; `lines`: from the deck, and what the file says of itself, to its
-    lines; `remarks`: what the program takes otherwise; `true_depth`: whether all of a line weighs
-    what it weighs in water, above the water too; for another program the depth is raised to the
-    highest point of the lines.
+    `first`: what the file is; `lines`: from the deck, its chains and what the file says of itself,
+    to its lines; `remarks`: what the program takes otherwise; `true_depth`: whether all of a line
+    weighs what it weighs in water, above the water too; for another program the depth is raised to
+    the highest point of the lines; `takes_forces`: on joints, beside their weight.
     """
 
     name: str
     first: str
-    lines: Callable[[Deck, Iterable[str]], Iterator[str]]
+    lines: Callable[[Deck, Sequence[Chain], Iterable[str]], Iterator[str]]
     remarks: Callable[[Model], Iterator[str]]
     true_depth: bool = False
+    takes_forces: bool = False
 
 
 def program_input(
@@ -391,8 +468,11 @@ def program_input(
     program = PROGRAMS[to]
     model = model_of(solved, true_depth=program.true_depth, program=program.name)
     remarks = (*common_remarks(model), *program.remarks(model), *_of_the_water(model))
-    said = heading(program.first, solved, (), remarks, sources)
-    text = "\n".join(program.lines(deck_of(model), said)) + "\n"
+    deck = deck_of(model)
+    if not program.takes_forces:
+        refuse_forces(model, program.name)
+    said = heading(program.first, solved, named_points(model, deck), remarks, sources)
+    text = "\n".join(program.lines(deck, chains_in(model, deck), said)) + "\n"
     return exported(to, solved, text, remarks, sources)
 
 
@@ -440,12 +520,12 @@ def _of_orcaflex(model: Model) -> Iterator[str]:
 
 PROGRAMS: Mapping[ProgramFormat, Program] = MappingProxyType(
     {
-        "map": Program("MAP++", "MAP++ input file", mappp_lines, _of_mappp, true_depth=True),
+        "map": Program("MAP++", "MAP++ input file", mappp_lines, _of_mappp, True, True),
         "ontology": Program(
             "the ontology", "Floating array ontology", ontology_lines, _of_ontology, true_depth=True
         ),
         "orcaflex": Program("OrcaFlex", "OrcaFlex text data", orcaflex_lines, _of_orcaflex),
-        "moorpy": Program("MoorPy", "MoorPy script", moorpy_lines, _of_moorpy),
+        "moorpy": Program("MoorPy", "MoorPy script", moorpy_lines, _of_moorpy, False, True),
     }
 )
 """What `program_input` writes, by the name of its format."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated, Literal
 
@@ -252,6 +252,11 @@ class Case(Checked):
     def every_line(self) -> tuple[Line, ...]:
         """The line, or those of the body that is moored."""
         return (self.line,) if self.system is None else tuple(leg.line for leg in self.system.legs)
+
+    @property
+    def keyed_lines(self) -> Iterator[tuple[str, Line]]:
+        """Its lines by their keys in the file."""
+        return (("line", line) for line in self.every_line)
 
     @property
     def several_lines(self) -> bool:

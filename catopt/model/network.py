@@ -5,7 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Annotated, ClassVar, Final, Literal
 
@@ -418,6 +418,11 @@ class Network(Checked):
             if start != end and {start, end} <= set(anchors):
                 said = Message("refused_file.line_between", line=k, start=start, end=end)
                 found.add("anchor", said, Message("refused_case.anchor_holds_one_end"))
+
+    @property
+    def keyed_lines(self) -> Iterator[tuple[str, Line]]:
+        """Its lines by their keys in the file."""
+        return ((f"lines[{k}]", each.line) for k, each in enumerate(self.lines))
 
     @property
     def numbers(self) -> dict[str, int]:

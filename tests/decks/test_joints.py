@@ -111,7 +111,8 @@ def test_read_in_python_it_is_what_the_commands_read(tmp_path: Path) -> None:
     assert rest.residual < 1e-6 * max(line.fairlead.tension for line in rest.lines)
     for refusing in (catopt.solve_case, catopt.curve_case, catopt.design_case):
         with pytest.raises(
-            InputError, match="catopt solve, system, check, verify, report, study and import"
+            InputError,
+            match="catopt solve, system, check, verify, report, export, study and import",
         ):
             refusing(found)
     with pytest.raises(InputError, match="leave out --line"):

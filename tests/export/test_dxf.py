@@ -14,7 +14,7 @@ from catopt import Case, Line, Load, PointLoad, Segment, Site, read_case, solve
 from catopt.casefile import read_mooring
 from catopt.errors import InputError
 from catopt.export.drawing import LAYERS, dxf_drawing
-from catopt.export.export_result import Exported, Source, exported_lines, network_lines
+from catopt.export.export_result import Exported, Source, exported_lines
 from catopt.loads.buoy import buoy
 from catopt.model import (
     Anchor,
@@ -324,7 +324,7 @@ def test_a_body_has_its_coordinates_and_its_watch_circle() -> None:
 def test_lines_between_points_are_drawn_with_joints_and_coordinates() -> None:
     raft = read_mooring(RAFT)
     assert isinstance(raft, Network)
-    exported = dxf_drawing(network_lines(raft))
+    exported = dxf_drawing(exported_lines(raft))
     assert len(in_plane(exported, "LINE")) == sum(len(e.line.segments) for e in raft.lines)
     given = [[*e.place] for e in raft.points if e.kind == "anchor"]
     assert marks(exported, "ANCHOR") == given
@@ -343,7 +343,7 @@ def test_lines_between_points_are_drawn_with_joints_and_coordinates() -> None:
     ]
     flows = replace(raft, lines=tuple(dragged), current=CurrentProfile("power", speed=1.0))
     with pytest.raises(InputError, match="current"):
-        network_lines(flows)
+        exported_lines(flows)
 
 
 def test_a_ship_is_drawn_along_her_axis_where_lines_hold_her_so() -> None:

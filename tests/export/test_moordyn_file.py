@@ -362,10 +362,10 @@ def test_a_system_has_all_its_lines_where_the_body_is() -> None:
         assert (x, y) == pytest.approx(
             (1056.0 * math.cos(angle), 1056.0 * math.sin(angle)), abs=1e-6
         )
-    assert solved.system is not None
+    (body,) = solved.bodies
     for row in points:
         if row[1] == "Coupled":
-            place = (solved.system.position.x, solved.system.position.y, 0.0)
+            place = (body.x, body.y, 0.0)
             assert [float(v) for v in row[2:5]] == pytest.approx(place, abs=1e-6)
     assert "the body is not in the file" in remarks(exported)
     # No piece joins two lines: every line's points follow each other.

@@ -18,7 +18,9 @@ import pytest
 from catopt import Case, read_case
 from catopt.catenary.solve import solve
 from catopt.constants import STANDARD_GRAVITY
-from catopt.export.export_result import ExportedLine, ExportedLines, exported_lines, of_segment
+from catopt.export.body_in_water import of_segment
+from catopt.export.export_result import exported_lines
+from catopt.export.exported_line import ExportedLine, ExportedLines
 from catopt.export.moordyn import SINKING, moordyn_input
 
 from .cases import FSO, chain_and_wire, suspended, tanker, tanker_with_sinker

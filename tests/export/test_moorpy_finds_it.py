@@ -12,7 +12,8 @@ import pytest
 import yaml
 
 from catopt import Case, read_case
-from catopt.export.export_result import ExportedLines, exported_lines
+from catopt.export.export_result import exported_lines
+from catopt.export.exported_line import ExportedLines
 from catopt.export.moordyn import moordyn_input
 from catopt.export.moordyn_model import is_above
 from catopt.export.programs import program_input
@@ -46,7 +47,7 @@ def of_map(solved: ExportedLines, folder: Path) -> Any:
     types, nodes, lines = ([row.split() for row in rows] for rows in sections)
     depth: float = solved.case.site.water_depth
     sunk = lowered(solved)
-    system = moorpy.System(depth=depth + sunk, rho=1025.0, g=9.80665)
+    system = moorpy.System(depth=depth + sunk, rho=solved.case.site.water_density, g=9.80665)
     for name, *numbers in types:
         d_vol, m, EA, _ = map(float, numbers[:4])
         system.lineTypes[name] = {"name": name, "d_vol": d_vol, "m": m, "EA": EA, "w": 0.0}
