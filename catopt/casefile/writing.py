@@ -204,6 +204,8 @@ def _unsaid(part: object, given: Mapping[str, Any]) -> Collection[str]:
         case Motion(period=None):
             return HARMONIC
         case Dynamics(broken_line=None):
+            return ("broken_end", "broken_by")
+        case Dynamics(broken_by="MBL"):
             return ("broken_end",)
     defaults = _UNSAID.get(type(part), {})
     return [key for key, default in defaults.items() if given.get(key) == default]

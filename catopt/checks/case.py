@@ -204,6 +204,8 @@ class LineInMotion:
     """Of a body with several lines: which, from 1."""
     carried: Carried | None = None
     """What else is judged; None: its tensions alone."""
+    one_parts: bool = True
+    """Whether the line of the mooring that is to part does so in its runs."""
 
     @property
     def tensions(self) -> Iterator[tuple[float, float]]:
@@ -222,21 +224,23 @@ def check_motion(case: Case | Network, lines: Sequence[LineInMotion]) -> CheckRe
     Uplift, length on the bed, span, buoyancy and what holds the line are judged by the least
     favourable value of each at any step, as if they came together. A load case is judged in its own
     state and condition, as at rest; a run in which a line breaks in the transient state, and the
-    broken line not at all.
+    broken line not at all, unless it broke by its tension.
 
     The lines are every line under every load case. InputError as for `check_case`.
     """
     criteria = criteria_of(case, analysis="dynamic")
-    broken = _broken(case)
-    judged = [each for each in lines if broken is None or (each.number or broken) != broken]
+    breaks, by_MBL = _broken(case), case.dynamics is not None and case.dynamics.broken_by == "MBL"
+    broken = breaks if all(each.one_parts for each in lines) else None
+    judged = [each for each in lines if broken is None or by_MBL or not _breaks(each, broken)]
     load_cases = {each.name: each for each in case.load_cases}
     load = LoadCase(LOAD, 1.0)
     results: list[CheckResult] = []
     for moved in judged:
         load_case = load_cases.get(moved.load_case, load)
         kind = load_case.kind
-        state: State = load_case.state if broken is None else "transient"
-        place = Place(state, moved.number, broken)
+        gone = None if broken is None or _breaks(moved, broken) else broken
+        state: State = load_case.state if gone is None else "transient"
+        place = Place(state, moved.number, gone)
         in_condition = criteria.in_condition(load_case.condition)
         results += check_tensions(
             moved.line,
@@ -257,12 +261,19 @@ def check_motion(case: Case | Network, lines: Sequence[LineInMotion]) -> CheckRe
     warnings = [*_of_codes(case, criteria)]
     if broken is not None:
         warnings.append(Message("checks.motion_breaks" if judged else "checks.motion_all_lost"))
+    elif breaks is not None:
+        warnings.append(Message("checks.motion_does_not_break"))
     on_mean = any(each.mean_factor is not None for each in criteria.all)
     if on_mean and any(each.mean is None for each in judged):
         warnings.append(Message("checks.motion_no_mean"))
     return CheckReport(
         case.title, tuple(results), (), tuple(warnings), case=case, is_in_motion=True
     )
+
+
+def _breaks(moved: LineInMotion, broken: int) -> bool:
+    """Whether a line is the one that breaks: the only one, or by its number."""
+    return (moved.number or broken) == broken
 
 
 def _others(
@@ -314,9 +325,11 @@ def check_strengths(case: Case | Network) -> None:
 
 def _states(case: Case | Network) -> set[State]:
     """States of the mooring in which a case in motion is judged."""
-    if _broken(case) is not None:
-        return {"transient"}
-    return {each.state for each in case.load_cases} or {"intact"}
+    of_cases = {each.state for each in case.load_cases} or {"intact"}
+    if _broken(case) is None:
+        return of_cases
+    assert case.dynamics is not None
+    return {"transient"} if case.dynamics.broken_by == "time" else {"transient", *of_cases}
 
 
 def _broken(case: Case | Network) -> int | None:

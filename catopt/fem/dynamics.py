@@ -52,6 +52,7 @@ def run_dynamics(
     motion: Series | None = None,
     anchor_motion: Series | None = None,
     anchor_lost: float | None = None,
+    broken: Break | None = None,
     properties: LineProperties | None = None,
     sea: Sea | None = None,
     elements: int | Sequence[int] = 100,
@@ -70,6 +71,8 @@ def run_dynamics(
         Of the fairlead and of the lower end, m, from their places at rest; they stay by default.
     anchor_lost : float, optional
         When the lower end becomes free, s, to the nearest sample but not at the start.
+    broken : Break, optional
+        How else the line, 0, parts: at its fairlead, or where it reaches its strength.
     sea : Sea, optional
         Waves and current; its depth is that of the bed at z = 0. Without, all is submerged in
         still water. A sea whose waves have no ramp of their own takes that of `stepping`.
@@ -100,7 +103,8 @@ def run_dynamics(
     if anchor_motion is not None:
         ends, prescribed_motion = simulation.state.x[[-1, 0]], [motion, anchor_motion]
     simulation.prescribed_motion = series_rows(ends, prescribed_motion, stepping.ramp_time)
-    broken = None if anchor_lost is None else (0, anchor_lost, True)
+    if anchor_lost is not None:
+        broken = Break(0, anchor_lost, at_anchor=True)
     return run_from_rest(simulation, stepping, [cut], warnings, progress, broken)
 
 
@@ -178,7 +182,7 @@ def run_system_dynamics(
     sea: Sea | None = None,
     elements: int | Sequence[int] = 100,
     meshes: Sequence[LineMesh] | None = None,
-    broken: tuple[int, float] | None = None,
+    broken: tuple[int, float] | Break | None = None,
     at_anchor: bool = False,
     progress: Callable[[float], None] | None = None,
 ) -> History:
@@ -199,9 +203,9 @@ def run_system_dynamics(
         each leg's fairlead where the body turns.
     properties, sea, elements, meshes, progress
         As for `run_dynamics`; sections are shared by all lines.
-    broken : tuple of int and float, optional
+    broken : tuple of int and float, or Break, optional
         A line, from 0, that breaks at its fairlead, and when, s, to the nearest sample: its last
-        bar is then gone.
+        bar is then gone. Or where and when else it parts. Largest values count from then on.
     at_anchor : bool
         It breaks at its anchor instead: its lower end is then free.
 
@@ -232,8 +236,9 @@ def run_system_dynamics(
         simulation.prescribed_motion.base, prescribed_motion or [None] * len(cuts), ramp_time
     )
     simulation.load = series_rows(simulation.load.base, [force], ramp_time)
-    parted = None if broken is None else (*broken, at_anchor)
-    return run_from_rest(simulation, stepping, cuts, warnings, progress, parted)
+    if broken is not None and not isinstance(broken, Break):
+        broken = Break(*broken, at_anchor)
+    return run_from_rest(simulation, stepping, cuts, warnings, progress, broken)
 
 
 def body_at_rest(
@@ -286,6 +291,7 @@ def run_network_dynamics(
     motions: Sequence[tuple[Series | None, Series | None]] | None = None,
     properties: LineProperties | None = None,
     sea: Sea | None = None,
+    broken: Break | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> History:
     """Run lines that meet in joints, with what is fixed to these.
@@ -298,6 +304,8 @@ def run_network_dynamics(
         Weight, force, mass, drag and added mass are read of them.
     motions
         Of the first and of the last end of each line about where it is held, m; None: it stays.
+    broken
+        A line that parts at its last end; at its first, if that is held; or by its strength.
     properties, sea, progress
         As for `run_dynamics`; places of the joints are the `nodes` of what is returned.
 
@@ -316,7 +324,7 @@ def run_network_dynamics(
     base = x[np.concatenate([last, first])]
     simulation.prescribed_motion = series_rows(base, of_ends, stepping.ramp_time)
     kept = replace(stepping, nodes=tuple(range(len(x) - len(joints), len(x))))
-    return run_from_rest(simulation, kept, meshes, warnings, progress)
+    return run_from_rest(simulation, kept, meshes, warnings, progress, broken)
 
 
 def network_at_rest(
@@ -359,22 +367,19 @@ def run_from_rest(
     cuts: Sequence[LineMesh],
     warnings: list[str],
     progress: Callable[[float], None] | None,
-    broken: tuple[int, float, bool] | None = None,
+    broken: Break | None = None,
 ) -> History:
-    """Set off from rest; `broken`: which line, when, s, and whether at its anchor."""
+    """Set off from rest; `broken`: a line that parts."""
     _check_beginning(simulation)
     part = simulation.uncertain(stepping.controls.tolerance)
     if part > _UNCERTAIN:
         stiff = Measure("EA", float(simulation.lines.EA.max()))
         warnings = [*warnings, Message("motion.too_stiff", part=part, EA=stiff)]
-    breaks = None
-    if broken is not None:
-        line, time, at_anchor = broken
-        breaks = Break(line, max(1, round(time / (stepping.every * stepping.step))), at_anchor)
     if simulation.afloat is None:
         simulation.start()
-    record, complete = simulation.run(stepping, breaks=breaks, progress=progress)
+    record, complete = simulation.run(stepping, breaks=broken, progress=progress)
     counts, seen = simulation.counts, np.isfinite(record.max_tension)
+    parted = simulation.parted
     warnings += _warnings_of(counts, stepping, None if complete else float(record.time[-1]))
     # Slides summed up, with the one that goes on at the end.
     _, way, ways, squares, slides = np.moveaxis(record.slides, -1, 0)
@@ -389,7 +394,8 @@ def run_from_rest(
         "max_tension": np.where(seen, record.max_tension, np.nan),
         "min_tension": np.where(seen, record.min_tension, np.nan),
         "balance": simulation.balance(record),
-        "since": stepping.counted_since,
+        "since": max(stepping.counted_since, parted.time if parted else 0.0),
+        "parted": parted,
         "step": stepping.step,
         "shortest_step": min(counts.shortest, stepping.step),
         "is_complete": complete,

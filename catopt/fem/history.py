@@ -9,6 +9,7 @@ import numpy as np
 from catopt.arrays import Array, Codes, Flags
 from catopt.fem.energy_balance import EnergyBalance
 from catopt.fem.extremes import FOLLOWED, Course, SeriesStatistics
+from catopt.fem.simulation import Parted
 from catopt.model.kinds import Duration, Time
 from catopt.old_names import OldName
 from catopt.records import FromZero
@@ -64,6 +65,7 @@ class History:
     is_complete: bool
     """Whether it was not stopped from outside (Ctrl-C)."""
     warnings: tuple[str, ...]  # what about the run is to be doubted, with numbers
+    parted: Parted | None = None  # the line that parted, where one was to, and did
 
     def of_line(self, line: int) -> History:
         """Return one line of it by itself; counts, energy and warnings stay those of all."""

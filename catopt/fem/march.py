@@ -106,6 +106,7 @@ class MarchReport(NamedTuple):
     worst: float  # where one did not close: force left over, over the largest tension or a line's
     node: int  # weight, with its node, -1 for the body
     level: int  # how often the step is halved at the end
+    parted: int  # bar that has reached its strength; -1: none
 
 
 def march(
@@ -122,22 +123,23 @@ def march(
 ) -> MarchReport:
     """Step from a part of the whole step `at` on, and take the samples on the way.
 
-    Up to the whole step `end`; until so many steps were tried; or until there is no more room for
-    turning points. `before`: state there, and then where the steps have come to; `body`: what
-    floats at the lines' last nodes; None where these are led or pushed.
+    Up to the whole step `end`; until so many steps were tried; until there is no more room for
+    turning points; or until a bar has reached its strength. `before`: state there, and then where
+    the steps have come to; `body`: what floats at the lines' last nodes; None where these are led
+    or pushed.
     """
     used = 0
     steps = iterations = halvings = refinements = unresolved = tried = 0
     ringing = strain = worst = 0.0
-    node = 0
+    node, parted = 0, -1
     rules, lines = setting.rules, setting.lines
     shortest = rules.step
     done, full, closed = part_done, False, True
     if at == 0 and done == 0.0 and level == 0:  # a first step that was refused is halved by now
         begin(setting, before, room, record, body)
-    while at < end and closed and not full and tried < most:
+    while at < end and closed and not full and tried < most and parted < 0:
         start = at * rules.step
-        while done < 1.0 and closed and not full and tried < most:
+        while done < 1.0 and closed and not full and tried < most and parted < 0:
             tried += 1
             part = 0.5**level
             h = part * rules.step
@@ -167,6 +169,7 @@ def march(
             strain += seen.strain
             time = start + done * rules.step
             full = accept(time, h, setting, before, room, record, body)
+            parted = beyond_strength(before.tension, setting.strength)
             # Longer again where the step then ends with one twice as long.
             ends_evenly = (done / (2.0 * part)) % 1.0 == 0.0
             may_grow = passed_by(time, 2.0 * h, seen, room) and seen.surprise < _LONGER * allowed
@@ -179,7 +182,17 @@ def march(
     counts = StepCounts(
         steps, iterations, halvings, refinements, unresolved, ringing, strain, shortest
     )
-    return MarchReport(closed, full, at, done, counts, worst, node, level)
+    return MarchReport(closed, full, at, done, counts, worst, node, level, parted)
+
+
+def beyond_strength(tension: Any, strength: Any) -> int:
+    """Return the bar whose tension exceeds its strength by most, over that; -1 for none."""
+    most, bar = 1.0, -1
+    for e in range(strength.shape[0]):
+        over = tension[e] / strength[e]
+        if over >= most:
+            most, bar = over, e
+    return bar
 
 
 def shorter(level: int, longest: float, rules: Rules) -> int:

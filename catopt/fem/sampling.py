@@ -49,6 +49,7 @@ class Setting(NamedTuple):
     flow: Flow
     has_sea: bool
     blocks: Array  # (blocks, 3): on the bed, as `march.slide` takes them
+    strength: Array  # (bars,): tension at which a bar parts, N; of no bar where none may
 
 
 @packed

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from time import perf_counter
 from typing import Any, NamedTuple
@@ -64,11 +65,19 @@ _PIECE = 0.1
 
 
 class Break(NamedTuple):
-    """Where and when a line parts."""
+    """Where and when a line parts: at a given time, or once a bar of it reaches its strength."""
 
     line: int  # from 0
-    sample: int  # after which one
+    time: float = math.inf  # s, to the nearest sample but the first; infinite: by its strength
     at_anchor: bool = False  # whose end is then free; else at its fairlead: its last bar is gone
+    strength: tuple[float, ...] = ()  # of its bars, N: the first that reaches it is then gone
+
+
+class Parted(NamedTuple):
+    """What became of a line that was to part."""
+
+    time: float  # s
+    bar: int  # that is gone, of its own from 0; -1: none, its anchor let go
 
 
 class Simulation:
@@ -106,6 +115,7 @@ class Simulation:
         self.afloat: Afloat | None = None  # what floats at the last nodes, to which `body` is free
         self.state = _moving(lines, np.array(x, dtype=float))  # where the lines are now
         self.counts = StepCounts()  # what all steps so far took
+        self.parted: Parted | None = None  # the line that was to part
         self._gone = 0.0
         self._before_break: float | None = None
         nodes, bars = x.shape[0], lines.length.size
@@ -303,23 +313,26 @@ class Simulation:
     ) -> tuple[Record, bool]:
         """Step in time and take samples, the first of them of the present state.
 
-        `breaks`: where a line parts, and after which sample; `progress`: called with the time
-        reached, s, some times a second. Says, too, whether all samples were taken: Ctrl-C stops a
-        run and keeps what is there. NotConvergedError has the time, the node and the force left
-        over there.
+        `breaks`: the line that parts, and when: largest values then count anew; `progress`: called
+        with the time reached, s, some times a second. Says, too, whether all samples were taken:
+        Ctrl-C stops a run and keeps what is there. NotConvergedError has the time, the node and the
+        force left over there.
         """
         samples, every, step = stepping.samples, stepping.every, float(stepping.step)
         rules = stepping.rules(self.rounding)
         record = self._empty_record(stepping)
         blocks = np.array(stepping.blocks, dtype=float).reshape(-1, 4)
         at, part, level, size, speed = 0, 0.0, 0, 1, 0.0
-        last, lost = samples * every, -1 if breaks is None else breaks.sample * every
+        last, lost = samples * every, -1
+        if breaks is not None and math.isfinite(breaks.time):
+            lost = every * max(1, round(breaks.time / (every * step)))
+        strength = self._strength(breaks)
         with waiting_interrupt() as ask:
             while at < last:
                 if at == lost and part == 0.0:
                     assert breaks is not None
-                    take_off = self._let_go if breaks.at_anchor else self._break
-                    take_off(breaks.line, record)
+                    bar = -1 if breaks.at_anchor else int(self.lines.start[breaks.line + 1]) - 1
+                    self._part(breaks.line, bar, at * step, record)
                 end, began = lost if at < lost else last, perf_counter()
                 # As plain Python steps may take longer than expected, where they are halved.
                 work = max(speed, _ITERATIONS * _A_BAR * self.lines.length.size) * (last - at)
@@ -332,6 +345,7 @@ class Simulation:
                     (self.sea or _STILL).flow,
                     self.sea is not None,
                     blocks,
+                    strength,
                 )
                 report = compiled(march, work)(
                     at, part, end, size, level, setting, self.state, self._room, record, self.afloat
@@ -346,6 +360,10 @@ class Simulation:
                 took = perf_counter() - began
                 speed = took / max(report.at + report.part - at - part, 1e-3)
                 at, part, level = report.at, report.part, report.level
+                if report.parted >= 0:
+                    assert breaks is not None
+                    self._part(breaks.line, int(report.parted), (at + part) * step, record)
+                    strength = strength[:0]
                 self._check_ringing(stepping.controls, step, at * step)
                 try:
                     if progress is not None:
@@ -384,9 +402,34 @@ class Simulation:
             put_in=put_in,
         )
 
-    def _break(self, line: int, record: Record) -> None:
-        """Take the last bar of a line away: no force, no mass, no drag; what it held is booked."""
-        bar, at, held = int(self.lines.start[line + 1]) - 1, self.state, self._stored(record)
+    def _strength(self, breaks: Break | None) -> Array:
+        """Tension at which each bar parts, N; of no bar where none may."""
+        if breaks is None or not breaks.strength:
+            return np.zeros(0)
+        strength = np.full(self.lines.length.size, np.inf)
+        strength[self.lines.start[breaks.line] : self.lines.start[breaks.line + 1]] = (
+            breaks.strength
+        )
+        return strength
+
+    def _part(self, line: int, bar: int, t: float, record: Record) -> None:
+        """Let a line part at a bar, or at its anchor for -1; what is largest counts from then."""
+        if bar < 0:
+            self._let_go(line, record)
+        else:
+            self._break(line, bar, record)
+        self.parted = Parted(t, bar - int(self.lines.start[line]) if bar >= 0 else -1)
+        record.max_tension[:], record.min_tension[:] = -np.inf, np.inf
+        for kept in (record.slack_time, record.longest_slack, record.slack_now):
+            kept[:] = 0.0
+        record.course[:] = record.turns[:] = 0.0
+        record.turn_count[:] = 0
+        if self.afloat is not None:
+            self.afloat.record.extreme[:] = (np.inf, -np.inf)
+
+    def _break(self, line: int, bar: int, record: Record) -> None:
+        """Take a bar of a line away: no force, no mass, no drag; what it held is booked."""
+        at, held = self.state, self._stored(record)
         factors = {"EA": _NEXT_TO_NOTHING, "damping": _NEXT_TO_NOTHING, **dict.fromkeys(_GONE, 0.0)}
         changed = {name: getattr(self.lines, name).copy() for name in factors}
         for name, factor in factors.items():
@@ -399,7 +442,10 @@ class Simulation:
         at.force[last - 1] -= pull
         at.force[last] += pull
         at.tension[bar] = self._room.slope[bar] = 0.0
-        self._room.ends_before[line, 1] = 0.0
+        if bar + 1 == self.lines.start[line + 1]:
+            self._room.ends_before[line, 1] = 0.0
+        if bar == self.lines.start[line]:
+            self._room.ends_before[line, 0] = 0.0
 
     def _let_go(self, line: int, record: Record) -> None:
         """Let the first node of a line move freely; what is stored then drives the lines."""

@@ -26,13 +26,17 @@ _SAME_PLACE: Final = 1e-6
 """Part of the anchors' radius within which places mirror each other."""
 
 
-def freedoms(hull: SteppedHull, legs: Sequence[Leg], sea: Sea) -> tuple[bool, ...]:
+def freedoms(
+    hull: SteppedHull, legs: Sequence[Leg], sea: Sea, lost: int | None = None
+) -> tuple[bool, ...]:
     """Say which freedoms a hull has: all six, or those of the plane of x and z.
 
-    Weather along x, and lines that x mirrors, leave it in that plane. Nothing turns a body of
-    revolution about its axis but lines that are fast to it away from that.
+    Weather along x, and lines that x mirrors, leave it in that plane; `lost`: a line, from 0, that
+    parts, without which they are to do so, too. Nothing turns a body of revolution about its axis
+    but lines that are fast to it away from that.
     """
     across = waves_across(sea) or current_across(sea) or unmirrored(hull, legs)
+    across = across or (lost is not None and unmirrored(hull, legs, lost))
     return hull.freedoms(in_plane=not across)
 
 
@@ -49,8 +53,11 @@ def current_across(sea: Sea) -> bool:
     return float(np.abs(np.concatenate(sideways)).max(initial=0.0)) > ALONG
 
 
-def unmirrored(hull: SteppedHull, legs: Sequence[Leg]) -> tuple[int, ...]:
-    """Which lines, from 0, have not as many mirrored by x as there are in their own place."""
+def unmirrored(hull: SteppedHull, legs: Sequence[Leg], lost: int | None = None) -> tuple[int, ...]:
+    """Which lines, from 0, have not as many mirrored by x as there are in their own place.
+
+    `lost`: a line that does not count.
+    """
     if not legs:
         return ()
     ends = [np.array([leg.anchor, eye]) for leg, eye in zip(legs, hull.eyes, strict=True)]
@@ -60,11 +67,12 @@ def unmirrored(hull: SteppedHull, legs: Sequence[Leg]) -> tuple[int, ...]:
         """Count the lines of its kind in its place, or in that on the other side."""
         there = ends[number] * [1.0, side, 1.0]
         return sum(
-            leg.line == legs[number].line and float(np.abs(each - there).max()) <= near
-            for leg, each in zip(legs, ends, strict=True)
+            legs[k].line == legs[number].line and float(np.abs(ends[k] - there).max()) <= near
+            for k in left
         )
 
-    return tuple(k for k in range(len(legs)) if alike(k, 1.0) != alike(k, -1.0))
+    left = [k for k in range(len(legs)) if k != lost]
+    return tuple(k for k in left if alike(k, 1.0) != alike(k, -1.0))
 
 
 _A_SLICE: Final = 1e-5

@@ -27,7 +27,7 @@ from catopt.fem.moving import Blend, BodyNode
 from catopt.fem.run_settings import TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Complex
-from catopt.fem.simulation import Simulation
+from catopt.fem.simulation import Break, Simulation
 from catopt.fem.solve import Leg
 from catopt.floater.alone import HullHistory, freedoms, history_of
 from catopt.hydro.build import FloatingHull, SteppedHull, record_of, room_of, state_of
@@ -224,15 +224,17 @@ def moored_at_rest(
     *,
     sea: Sea,
     properties: LineProperties,
+    lost: int | None = None,
 ) -> AtRest:
     """Find where hull and lines are at rest, without waves.
 
     `legs`: one line from an anchor at x = y = 0, or several about the origin; their fairleads are
-    the hull's eyes. `meshes`: of them. In the freedoms of `freedoms.freedoms`.
+    the hull's eyes. `meshes`: of them. In the freedoms of `freedoms.freedoms`; `lost`: a line, from
+    0, that parts later.
     Raises NoEquilibriumError where lines draw the hull under, NotConvergedError.
     """
     flow = sea.flow_at_rest
-    free = freedoms(hull, legs, sea)
+    free = freedoms(hull, legs, sea, lost)
     laid = hull.lay_out(sea.flow, free)
     state = state_of(laid, (0.0, 0.0, flow.depth + hull.level))
     calm = _Calm(hull.lay_out(flow, free), state, flow, room_of(laid))
@@ -312,6 +314,7 @@ def run_moored(
     *,
     sea: Sea,
     properties: LineProperties,
+    broken: Break | None = None,
     progress: Callable[[float], None] | None = None,
 ) -> tuple[History, HullHistory]:
     """Run a hull and its lines in a sea, from rest, by one Newton iteration a step for all.
@@ -324,6 +327,8 @@ def run_moored(
         The lines, as for `moored_at_rest`.
     stepping, sea, properties, progress
         As for `run_dynamics`.
+    broken : Break, optional
+        A line that parts.
 
     Raises
     ------
@@ -333,7 +338,8 @@ def run_moored(
     in_sea = ramped(sea, stepping)
     assert in_sea is not None
     warnings = check_run(stepping, sea=in_sea)
-    rest = moored_at_rest(hull, legs, meshes, sea=in_sea, properties=properties)
+    lost = None if broken is None else broken.line
+    rest = moored_at_rest(hull, legs, meshes, sea=in_sea, properties=properties, lost=lost)
     simulation, laid = rest.simulation, rest.hull
     simulation.start()
     none = np.zeros(3)
@@ -350,7 +356,7 @@ def run_moored(
     simulation.afloat = body
     simulation.body = BodyNode(np.ones(3), none, none)
     sample_hull(0, body)
-    history = run_from_rest(simulation, stepping, meshes, warnings, progress)
+    history = run_from_rest(simulation, stepping, meshes, warnings, progress, broken)
     return history, history_of(body, history.time, in_sea.depth, hull.volume_of_all)
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Annotated, Any, Final, TypedDict
 
@@ -248,25 +248,35 @@ class MooredShip:
         step: float | None = None,
         start: Array | None = None,
         finer: bool = False,
+        parts: tuple[int, float] | None = None,
     ) -> ShipHistory:
         """Run it from rest for a time, s, of which the ramp is left out of the answer.
 
         The generator draws the gusts; `step`, s, is that of the samples, `sample_step` when left
         out; `start` (6,): a state of `swing` in the place of rest; `finer`: at half the step, in
-        the same gusts and drift. NoEquilibriumError where a line does not reach, with the time.
+        the same gusts and drift; `parts`: a line, from 0, that parts at a time, s, from which on
+        the answer has the others. NoEquilibriumError where a line does not reach, with the time.
         """
         rest = rest or self.at_rest(waves)
-        slow = self._slow(waves, duration, ramp, generator, rest, start, finer)
+        slow = self._slow(waves, duration, ramp, generator, rest, start, finer, parts)
+        if parts is not None:
+            left, ramp = self.without(parts[0]), max(ramp, parts[1])
+        else:
+            left = self
         step = (step or sample_step(waves)) * (0.5 if finer else 1.0)
         time = ramp + step * np.arange(int((duration - ramp) / step) + 1, dtype=np.float64)
         way = slow_at(time, slow)
-        fast = self._fast(waves, time, way, rest)
-        none = np.zeros((time.size, len(self.system.legs), 3))
+        fast = left._fast(waves, time, way, rest)
+        none = np.zeros((time.size, len(left.system.legs), 3))
         whole = way.copy()
         whole[:, :2] += fast[0]
         whole[:, 2] += fast[2]
-        still, tension = self._hung(time, way, none), self._hung(time, way, fast[1])
+        still, tension = left._hung(time, way, none), left._hung(time, way, fast[1])
         return ShipHistory(time, way, whole, still, tension, slow)
+
+    def without(self, line: int) -> MooredShip:
+        """Return it without one of its lines, from 0."""
+        return replace(self, system=self.system.without([line]))
 
     def _slow(
         self,
@@ -277,6 +287,7 @@ class MooredShip:
         rest: ShipAtRest,
         start: Array | None,
         finer: bool,
+        parts: tuple[int, float] | None = None,
     ) -> Array:
         """Step the slow motion: x, y and yaw, a sample every `SLOW_STEP`, (n, 3)."""
         ship, of = self.ship, self.ship.of
@@ -292,9 +303,10 @@ class MooredShip:
             drift = drift_series(ship, waves, samples, ramp, sector)
             if not finer:
                 slow = self._driven(rest, blown, drift, sector)
-                return self._stepped(slow, rest, samples, start)[:, :3]
+                return self._parted(slow, rest, samples, start, SLOW_STEP, parts)[:, :3]
             slow = self._driven(rest, _with_means(blown), _with_means(drift), sector)
-            return self._stepped(slow, rest, 2 * samples - 1, start, 0.5 * SLOW_STEP)[::2, :3]
+            count, half = 2 * samples - 1, 0.5 * SLOW_STEP
+            return self._parted(slow, rest, count, start, half, parts)[::2, :3]
 
         try:
             return stepped(sector_around(rest.place[2]))
@@ -349,6 +361,29 @@ class MooredShip:
         """Step it in the mean weather alone from a degree off where it rests: the state, (n, 6)."""
         samples = math.ceil(duration / SLOW_STEP) + 1
         return self._stepped(self._steady(waves, rest), rest, samples)
+
+    def _parted(
+        self,
+        slow: SlowShip,
+        rest: ShipAtRest,
+        samples: int,
+        start: Array | None,
+        step: float,
+        parts: tuple[int, float] | None,
+    ) -> Array:
+        """Step what drives it, as `_stepped`; from where a line parts, to a step, without that."""
+        if parts is None:
+            return self._stepped(slow, rest, samples, start, step)
+        line, time = parts
+        at = min(max(1, round(time / step)), samples - 2)
+        whole = self._stepped(slow, rest, at + 1, start, step)
+        left = self.without(line)
+        further = slow._replace(
+            turns=bool(left.system.turns), wind=slow.wind[at:], drift=slow.drift[at:]
+        )
+        return np.concatenate(
+            [whole[:-1], left._stepped(further, rest, samples - at, whole[-1], step)]
+        )
 
     def _stepped(
         self,

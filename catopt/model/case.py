@@ -17,6 +17,7 @@ from catopt.model.dynamics import (
     dynamics_misfits,
     of_motion_misfits,
     sections_misfits,
+    strength_misfits,
 )
 from catopt.model.kinds import (
     Accepted,
@@ -229,6 +230,9 @@ class Case(Checked):
         else:
             count = len(self.every_line)
             found.problems += broken_line_misfits(self.dynamics.broken_line, count)
+            for line in self.every_line if self.dynamics.broken_line is not None else ():
+                strengths = [each.MBL for each in line.segments]
+                found.problems += strength_misfits(self.dynamics, strengths)
         lower = self.anchor_motion
         if lower is not None and (lower.rao_file or lower.of_a_body):
             given = Message("refused_case.raos_or_drift")

@@ -37,6 +37,8 @@ BedDamping = Annotated[float, Measured(Dimension.DAMPING_PER_LENGTH, at_least=0.
 
 BrokenEnd = Literal["fairlead", "anchor"]
 
+BrokenBy = Literal["time", "MBL"]
+
 TimeScheme = Literal["newmark", "generalised-alpha"]
 
 InitialFriction = Literal["pulled", "none", "laid"]
@@ -96,8 +98,10 @@ class Dynamics(Plausible):
     broken_at: Time | None = None
     """When it does, s."""
     broken_end: BrokenEnd = "fairlead"
-    """Where: at its fairlead, of a body that moves under forces; or at its anchor, so that its
-    lower end is free."""
+    """Where it does at that time: at its fairlead, or at its anchor, so that its lower end is
+    free."""
+    broken_by: BrokenBy = "time"
+    """What breaks it: a time, or the first tension that reaches the MBL of its segment, there."""
     initial_friction: InitialFriction = "pulled"
     """The bed's at rest: of a line last pulled towards the fairlead (as at rest everywhere else),
     none, or of one laid under a greater tension and slackened since."""
@@ -113,9 +117,11 @@ class Dynamics(Plausible):
         found.check("duration", "ramp", "time_step", "output_interval", "elements", "scheme")
         found.check("initial_friction", "broken_end", "spectral_radius", "runs", "judged_by")
         found.check("seabed_stiffness", "seabed_damping", "line_damping", "damping_time")
-        found.check("broken_line", "broken_at")
-        given = [key for key in ("broken_line", "broken_at") if getattr(self, key) is not None]
-        given += ["broken_end"] if self.broken_end != "fairlead" else []
+        found.check("broken_line", "broken_at", "broken_by")
+        given = {key: getattr(self, key) for key in ("broken_line", "broken_at")}
+        given = {key: value for key, value in given.items() if value is not None}
+        given |= {"broken_end": self.broken_end} if self.broken_end != "fairlead" else {}
+        given |= {"broken_by": self.broken_by} if self.broken_by != "time" else {}
         found.problems += break_misfits(given)
         found.check("duration_of_interest")
         if not found.problems:
@@ -144,14 +150,28 @@ def time_misfits(given: Mapping[str, Any]) -> list[Problem]:
     ]
 
 
-def break_misfits(given: Collection[str]) -> list[Problem]:
-    """List what is missing where a line breaks: which one, or when."""
-    for key, other in (("broken_line", "broken_at"), ("broken_at", "broken_line")):
+def break_misfits(given: Mapping[str, Any]) -> list[Problem]:
+    """List what is missing where a line breaks: which one, or when; or what goes with a time."""
+    by_MBL = given.get("broken_by") == "MBL"
+    for key in ("broken_at", "broken_end") if by_MBL else ():
+        if key in given:
+            return [Problem(key, "", Message("refused_case.does_not_go_with_broken_by"))]
+    if by_MBL and "broken_line" not in given:
+        return [Problem("broken_line", "", Message("refused_case.missing_broken_line_broken_at"))]
+    pairs = (("broken_line", "broken_at"), ("broken_at", "broken_line"))
+    for key, other in () if by_MBL else pairs:
         if key in given and other not in given:
             return [Problem(other, "", Message("refused_case.missing_broken_line_broken_at"))]
     if "broken_end" in given and "broken_line" not in given:
         return [Problem("broken_line", "", Message("refused_case.missing_broken_end_needs_broken"))]
     return []
+
+
+def strength_misfits(dynamics: Dynamics, segments: Sequence[float | None]) -> list[Problem]:
+    """List segments without an MBL, of a line that breaks by it; given is the MBL of each."""
+    if dynamics.broken_by != "MBL" or None not in segments:
+        return []
+    return [Problem("dynamics.broken_by", "MBL", Message("refused_case.broken_by_needs_MBL"))]
 
 
 def broken_line_misfits(number: int | None, lines: int) -> list[Problem]:
@@ -193,11 +213,6 @@ def dynamics_misfits(present: Collection[str], given: Mapping[str, Any]) -> list
         problems.append(Problem("dynamics", "", Message("refused.nothing_moves")))
     if "floater" in present:
         problems += _of_a_floater(present, given)
-    if "dynamics.broken_line" in given and not (
-        {"system", "body"} <= set(present) or given.get("dynamics.broken_end") == "anchor"
-    ):
-        allowed = Message("refused_case.goes_with_system_body_body")
-        problems.append(Problem("dynamics.broken_line", "", allowed))
     if "system" not in present:
         keys = ["body"] if "body" in present else []
         keys += [f"motion.{key}" for key in OF_A_BODY if f"motion.{key}" in given]
@@ -237,8 +252,6 @@ def _of_a_floater(present: Collection[str], given: Collection[str]) -> Iterator[
         yield Problem("waves", "", Message("refused_case.missing_nothing_moves_floater_but"))
     if kind.needs_system and "system" not in present:
         yield Problem("system", "", Message("refused_case.ship_needs_system"))
-    if "dynamics.broken_line" in given:
-        yield Problem("dynamics.broken_line", "", Message("refused_case.does_not_go_with_floater"))
 
 
 def _of_a_ship(present: Collection[str], given: Collection[str]) -> Iterator[Problem]:
@@ -251,9 +264,11 @@ def _of_a_ship(present: Collection[str], given: Collection[str]) -> Iterator[Pro
         yield Problem("body", "", Message("refused_case.does_not_go_with_ship"))
     if "motion" in present and "motion.rao_file" not in given:
         yield Problem("motion", "", Message("refused_case.ship_motion_is_raos"))
-    for key in ("motion.drift", "motion.drift_file", "dynamics.broken_line"):
+    for key in ("motion.drift", "motion.drift_file"):
         if key in given:
             yield Problem(key, "", Message("refused_case.does_not_go_with_ship"))
+    if given.get("dynamics.broken_end") == "anchor":
+        yield Problem("dynamics.broken_end", "", Message("refused_case.does_not_go_with_ship"))
 
 
 def _of_a_body(present: Collection[str], given: Collection[str]) -> Iterator[Problem]:

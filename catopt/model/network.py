@@ -13,7 +13,13 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import Problem, refused
 from catopt.model.anchor import Anchor
 from catopt.model.case import Case, CatalogueChoice
-from catopt.model.dynamics import Dynamics, network_motion_misfits, of_motion_misfits
+from catopt.model.dynamics import (
+    Dynamics,
+    broken_line_misfits,
+    network_motion_misfits,
+    of_motion_misfits,
+    strength_misfits,
+)
 from catopt.model.kinds import (
     Accepted,
     Area,
@@ -314,9 +320,16 @@ class Network(Checked):
         if self.dynamics is None:
             found.problems += of_motion_misfits(self, Message("refused.with_dynamics"))
             return
-        if self.dynamics.broken_line is not None:
-            allowed = Message("refused_case.of_lines_in_motion")
-            found.add("dynamics.broken_line", f"{self.dynamics.broken_line}", allowed)
+        broken, lines = self.dynamics.broken_line, self.lines
+        found.problems += broken_line_misfits(broken, len(lines))
+        if broken is not None and broken <= len(lines):
+            line = lines[broken - 1]
+            strengths = [each.MBL for each in line.line.segments]
+            found.problems += strength_misfits(self.dynamics, strengths)
+            kinds = {p.kind for p in self.points if p.name in (line.start, line.end)}
+            if self.dynamics.broken_end == "anchor" and "anchor" not in kinds:
+                allowed = Message("refused_case.broken_end_wants_an_anchor")
+                found.add("dynamics.broken_end", "anchor", allowed)
         if self.anchor is not None and self.anchor.max_slide is not None:
             allowed = Message("refused_case.of_lines_in_motion")
             found.add("anchor.max_slide", f"{self.anchor.max_slide:g} m", allowed)

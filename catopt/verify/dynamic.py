@@ -37,6 +37,7 @@ from catopt.verify.dynamic_lines import (
     LinesOfPoints,
     OneLine,
     lines_at_rest,
+    parted_words,
     quasi_static,
 )
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
@@ -543,8 +544,8 @@ def _run(
         still = np.full(of_line.time.size, np.nan)
         if is_compared:
             still = quasi_static(leg, of_line, drive.case.site.seabed_friction)
-        if drive.dynamics.broken_line == k + 1:
-            still[of_line.time >= (drive.dynamics.broken_at or 0.0)] = np.nan
+        if drive.dynamics.broken_line == k + 1 and history.parted is not None:
+            still[of_line.time >= history.parted.time] = np.nan
         run = DynamicRun(of_line, still, number, track=way, hull=hull)
         if stepping.tensions:
             run = _counted(run, sea)
@@ -572,7 +573,7 @@ def _counted(run: DynamicRun, sea: Sea) -> DynamicRun:
 
 
 def _remarks(drive: Excitation, runs: Sequence[DynamicRun]) -> list[str]:
-    remarks = [*drive.remarks]
+    remarks = [*drive.remarks, *parted_words(drive.dynamics, runs)]
     if not all(run.history.counts for run in runs):
         remarks.append(Message("motion.within_ramp"))
     if drive.has_rest and any(np.isnan(run.quasi_static).all() for run in runs):

@@ -23,23 +23,24 @@ from catopt.fem.dynamics import (
     run_system_dynamics,
 )
 from catopt.fem.history import History
-from catopt.fem.mesh import mesh_line
+from catopt.fem.mesh import LineMesh, mesh_line
 from catopt.fem.network import LineEnd
 from catopt.fem.run_settings import BodyInertia, TimeStepping
 from catopt.fem.seabed import Seabed
 from catopt.fem.series import Harmonic, Series, Together, series_rows, series_values
-from catopt.fem.simulation import Simulation
+from catopt.fem.simulation import Break, Simulation
 from catopt.fem.solve import Leg
 from catopt.floater.alone import HullHistory
 from catopt.floater.moored import AtRest, moored_at_rest, run_moored
 from catopt.floater.scene import kept_nodes, scene_of
 from catopt.hydro.build import SteppedHull
 from catopt.model import Load
-from catopt.model.dynamics import InitialFriction
+from catopt.model.dynamics import Dynamics, InitialFriction
 from catopt.model.network import Network
 from catopt.mooring import fixed_body, network_rest
 from catopt.mooring.solution import solve_system
 from catopt.verify.dynamic_result import Between
+from catopt.verify.dynamic_run import DynamicRun
 from catopt.verify.dynamic_setup import Excitation, section_of
 from catopt.verify.hulls import HULLS, hull_of
 from catopt.verify.line import rotated, truss_legs
@@ -47,6 +48,45 @@ from catopt.waves import Sea, Waves
 from catopt.words import Message
 
 PartDone = Callable[[float], None]
+
+
+def parting(dynamics: Dynamics, meshes: Sequence[LineMesh]) -> Break | None:
+    """Say which of the lines parts, when and where; None where none does."""
+    if dynamics.broken_line is None:
+        return None
+    number = dynamics.broken_line - 1
+    if dynamics.broken_by == "time":
+        assert dynamics.broken_at is not None
+        return Break(number, dynamics.broken_at, dynamics.broken_end == "anchor")
+    mesh = meshes[number]
+    known = [segment.MBL for segment in mesh.line.segments]
+    strength = (known[int(k)] for k in mesh.segment)
+    return Break(number, strength=tuple(math.inf if MBL is None else MBL for MBL in strength))
+
+
+def parting_words(dynamics: Dynamics, *, alone: bool = False) -> Iterator[Message]:
+    """Yield which line parts at which time, and where; `alone`: it is the only one."""
+    number, time = dynamics.broken_line, dynamics.broken_at
+    if number is None or time is None:
+        return
+    lost = dynamics.broken_end == "anchor"
+    key = "motion.lost_at_anchor" if lost else "motion.breaks"
+    if alone:
+        key = "motion.the_line_lost" if lost else "motion.the_line_breaks"
+    yield Message(key, number=number, time=time)
+
+
+def parted_words(dynamics: Dynamics, runs: Sequence[DynamicRun]) -> Iterator[Message]:
+    """Yield in which runs a line has parted by its strength, and when."""
+    number = dynamics.broken_line
+    if number is None or dynamics.broken_by != "MBL":
+        return
+    for run in runs:
+        parted, at = run.history.parted, {"number": number, "run": run.number + 1}
+        if parted is None:
+            yield Message("motion.did_not_part", **at)
+        else:
+            yield Message("motion.parts_by_MBL", **at, time=parted.time, bar=parted.bar + 1)
 
 
 @dataclass(frozen=True)
@@ -107,6 +147,7 @@ class OneLine:
     ) -> tuple[History, Array | None]:
         """Run it; there is no body."""
         case = self.drive.one
+        mesh = mesh_line(case.line, elements)
         history = run_dynamics(
             case.line,
             stepping,
@@ -116,10 +157,10 @@ class OneLine:
             anchor_height=case.anchor_height,
             motion=self.drive.motion(sea, self.span),
             anchor_motion=self.drive.anchor_motion,
-            anchor_lost=self.drive.dynamics.broken_at,
+            broken=parting(self.drive.dynamics, [mesh]),
             properties=self.drive.properties,
             sea=sea,
-            elements=elements,
+            mesh=mesh,
             progress=progress,
         )
         return history, None
@@ -141,8 +182,7 @@ class OneLine:
         """Yield what becomes of the lower end."""
         if self.drive.anchor_motion is not None:
             yield Message("motion.lower_end_led")
-        if self.drive.dynamics.broken_at is not None:
-            yield Message("motion.the_line_lost", time=self.drive.dynamics.broken_at)
+        yield from parting_words(self.drive.dynamics, alone=True)
         slope = self.drive.one.site.seabed_slope
         if slope != 0.0:
             yield Message("motion.sloped_bed", angle=math.degrees(slope))
@@ -186,6 +226,7 @@ class LinesOfABody:
         system, body = self.drive.case.system, self.drive.case.body
         assert system is not None
         is_led = body is None
+        meshes = [mesh_line(leg.line, elements) for leg in self.legs]
         history = run_system_dynamics(
             self.legs,
             stepping,
@@ -197,9 +238,8 @@ class LinesOfABody:
             motion=self.driven_by(sea) if is_led else None,
             properties=self.drive.properties,
             sea=sea,
-            elements=elements,
-            broken=self._broken,
-            at_anchor=self.drive.dynamics.broken_end == "anchor",
+            meshes=meshes,
+            broken=parting(self.drive.dynamics, meshes),
             progress=progress,
         )
         if not is_led:
@@ -230,23 +270,12 @@ class LinesOfABody:
                 yield Message("motion.place_without_current")
         else:
             yield Message("motion.body_moves")
-            if self._broken is not None:
-                line, time = self._broken
-                lost = self.drive.dynamics.broken_end == "anchor"
-                key = "motion.lost_at_anchor" if lost else "motion.breaks"
-                yield Message(key, number=line + 1, time=time)
             force = self.drive.force
             if force is not None and force.values[:, 2].any():
                 yield Message("motion.Fz_unused")
+        yield from parting_words(self.drive.dynamics)
         if system.turns:
             yield Message("motion.kept_yaw", yaw=math.degrees(self.yaw))
-
-    @property
-    def _broken(self) -> tuple[int, float] | None:
-        dynamics = self.drive.dynamics
-        if dynamics.broken_line is None or dynamics.broken_at is None:
-            return None
-        return dynamics.broken_line - 1, dynamics.broken_at
 
     def _motion(self, sea: Sea, arm: tuple[float, float, float]) -> Series:
         """Motion of a point that is an arm away from the origin, in the yaw at rest."""
@@ -357,14 +386,16 @@ class LinesOfPoints:
         }
         prescribed_motion = [motion if point.kind == "fairlead" else None for point in points]
         sections = [[section_of(segment) for segment in run.line.segments] for run in runs]
+        meshes = [mesh_line(run.line, elements) for run in runs]
         history = run_network_dynamics(
-            [mesh_line(run.line, elements) for run in runs],
+            meshes,
             [(ends[run.first], ends[run.second]) for run in runs],
             [points[k] for k in joints],
             stepping,
             motions=[(prescribed_motion[run.first], prescribed_motion[run.second]) for run in runs],
             properties=replace(self.drive.properties, of_lines=sections),
             sea=sea,
+            broken=parting(self.drive.dynamics, meshes),
             progress=progress,
         )
         return history, None
@@ -376,6 +407,7 @@ class LinesOfPoints:
             yield Message("motion.fairleads_led")
         if network.motion is not None and network.bodies:
             yield Message("motion.led")
+        yield from parting_words(self.drive.dynamics)
         yield Message("motion.no_still_of_points")
 
 
@@ -428,6 +460,7 @@ class LinesOfAFloater:
             replace(stepping, nodes=tuple(itertools.chain.from_iterable(kept))),
             sea=sea,
             properties=self.drive.properties,
+            broken=parting(self.drive.dynamics, meshes),
             progress=progress,
         )
         if outline is None:
@@ -442,6 +475,7 @@ class LinesOfAFloater:
         of = self.drive.one.floater
         assert of is not None
         yield from HULLS[of.kind].remarks(self.drive, self.hull, self.legs)
+        yield from parting_words(self.drive.dynamics, alone=len(self.legs) == 1)
 
 
 LinesAtRest = OneLine | LinesOfABody | LinesOfPoints | LinesOfAFloater

@@ -187,7 +187,7 @@ class Excitation:
         files = (self.elevation, self.current, self.record, self.drift, self.force)
         if self.is_random or any(each is not None for each in (*files, self.anchor_record)):
             return None
-        if self.dynamics.broken_at is not None:
+        if self.dynamics.broken_line is not None:
             return None
         periods = {each.period for each in (case.motion, case.anchor_motion) if each is not None}
         if case.waves is not None:

@@ -58,7 +58,9 @@ def _of_buoy(drive: Excitation, hull: FloatingHull, legs: Sequence[Leg]) -> Iter
     assert of is not None
     shape = floating_buoy(of)
     # Weather and lines may leave the buoy in the plane of x and z.
-    is_in_plane = freedoms(hull, legs, drive.sea(0)) == IN_PLANE
+    broken = drive.dynamics.broken_line
+    lost = None if broken is None else broken - 1
+    is_in_plane = freedoms(hull, legs, drive.sea(0), lost) == IN_PLANE
     moves = "floater.moves" if is_in_plane else "floater.moves_all"
     yield Message(moves, buoy=shape.name, draught=hull.draught)
     if of.centre_of_gravity is None or of.pitch_radius is None:

@@ -169,5 +169,5 @@ def _not_linear(case: Case) -> Iterator[Problem]:
         yield Problem("body", "", Message("refused_motion.leave_out_body_led_by"))
     if case.current is not None and case.current.series_file:
         yield Problem("current.series_file", "", Message("refused_motion.leave_out_current_steady"))
-    if dynamics.broken_at is not None:
-        yield Problem("dynamics.broken_at", "", Message("refused_motion.leave_out_no_line_lost"))
+    if dynamics.broken_line is not None:
+        yield Problem("dynamics.broken_line", "", Message("refused_motion.leave_out_no_line_lost"))

@@ -66,6 +66,8 @@ class LineOfShip(Record):
     """The largest tension at the fairlead in the storm, by the tail of its peaks; None where the
     runs have too few of them."""
     judged_by: JudgedBy = "largest"
+    is_transient: bool = False
+    """Whether another line parts in its runs: it is then judged by what these reach alone."""
 
     @property
     def in_storm(self) -> Annotated[Mapping[str, Any], InStorm] | None:
@@ -88,6 +90,8 @@ class LineOfShip(Record):
         What is most probable in the storm, or the upper end of its interval; by the largest values,
         and where the runs have no tail, `Scales.judged`.
         """
+        if self.is_transient:
+            return self.fairlead.seen
         if by == "largest" or self.storm is None:
             return self.fairlead.judged
         return self.storm.high if by == "upper" else self.storm.most_probable
@@ -129,7 +133,7 @@ class Swing(Record):
 class ShipWithoutLine(Record):
     """A ship that has lost a line and rests anew, in the seas of the runs with all there."""
 
-    DOCUMENT = "missing=missing_line refusal offset=offset_m lines"
+    DOCUMENT = "missing=missing_line refusal offset=offset_m lines parted=parted_at_s?"
 
     missing: Counted
     """Line that is gone, from 1."""
@@ -141,6 +145,8 @@ class ShipWithoutLine(Record):
     """m: of the origin from the zero-load position with all there."""
     refusal: str = ""
     """Why there is no answer; else empty."""
+    parted: tuple[float, ...] = ()
+    """s: when it parts in each run in which it does; empty: it is gone from the start."""
 
     @property
     def most_loaded(self) -> int:
@@ -160,7 +166,7 @@ class ShipVerification(Record):
     DOCUMENT = (
         "count=runs duration since storm rest.force=mean_force_N rest.mean_loads "
         "rest.of_document=rest heading offset=offset_m yaw=yaw_rad lines lost=lines_out "
-        "report=checks change swing remarks"
+        "report=checks change swing transient? remarks"
     )
 
     case: Case
@@ -184,6 +190,8 @@ class ShipVerification(Record):
     the hardest first; none of one line, or where no check is on it."""
     change: Change | None = None
     """Of the largest tension at half the step; None where that was not run."""
+    transient: ShipWithoutLine | None = None
+    """The runs once more, with a line that parts in them, and from then on; None without one."""
 
     @property
     def count(self) -> Counted:

@@ -22,6 +22,7 @@ from catopt.checks.kinds import Criterion, Place
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.system import (
+    checked_states,
     for_line_out,
     lost_results,
     of_line_out,
@@ -41,6 +42,7 @@ from catopt.floater.two_scales import (
     ShipHistory,
     sample_step,
 )
+from catopt.largest import largest
 from catopt.model import Case, System
 from catopt.model.dynamics import Dynamics
 from catopt.mooring.zero_load import zero_load_position
@@ -150,6 +152,7 @@ def verify_ship(
     histories = _histories(moored, drive, tell, start)
     lines = tuple(_lines(moored, range(1, len(legs) + 1), histories, dynamics))
     lost = tuple(_without(moored, drive, number, tell) for number in missing)
+    transient = _as_a_line_parts(moored, drive, histories, start)
     asked = case.system is not None and case.system.judged_line_out
     remarks: tuple[Message, ...] = (
         swing.words,
@@ -157,6 +160,7 @@ def verify_ship(
         *few_cycles(slow_cycles(histories, rest)),
         *remarks_of(case, moored, drive.sea(0), rest),
         *_of_losses(lost, needless),
+        *_of_transient(transient, drive.dynamics),
         *(
             of_line_out(criteria, damaged, len(legs))
             if asked or len(legs) == 1
@@ -164,7 +168,8 @@ def verify_ship(
         ),
     )
     hanging = hang_under_governing(lines, moored)
-    checks, directions = check_hanging(case, hanging, lost), _waves(drive, 0).direction
+    every_loss = (*lost, transient) if transient is not None else lost
+    checks, directions = check_hanging(case, hanging, every_loss), _waves(drive, 0).direction
     change = None
     if proven:
         number = hardest_run(histories)
@@ -184,6 +189,7 @@ def verify_ship(
         swing,
         lost,
         change,
+        transient,
     )
 
 
@@ -242,9 +248,15 @@ def _histories(
 
 
 def _run(
-    moored: MooredShip, drive: Excitation, start: Array | None, number: int, *, finer: bool = False
+    moored: MooredShip,
+    drive: Excitation,
+    start: Array | None,
+    number: int,
+    *,
+    finer: bool = False,
+    parts: tuple[int, float] | None = None,
 ) -> ShipHistory:
-    """Run a ship in one seed; `finer`: at half the step."""
+    """Run a ship in one seed; `finer`: at half the step; `parts`: as `MooredShip.run`."""
     waves, step, until = (
         _waves(drive, number),
         sample_step(_waves(drive, 0)),
@@ -253,7 +265,9 @@ def _run(
     seed = 0 if drive.case.waves is None else drive.case.waves.seed
     generator = np.random.default_rng([seed, number, 1])
     until = drive.dynamics.duration
-    return moored.run(waves, until, drive.ramp, generator, step=step, start=start, finer=finer)
+    return moored.run(
+        waves, until, drive.ramp, generator, step=step, start=start, finer=finer, parts=parts
+    )
 
 
 # ------------------------------------------------------------------ at half the step
@@ -323,6 +337,71 @@ def _without(
         return ShipWithoutLine(number, refusal=error.args[0])
     offset = offset_of(histories, (neutral.x, neutral.y), storm)
     return ShipWithoutLine(number, lines, hanging, offset)
+
+
+def _as_a_line_parts(
+    moored: MooredShip,
+    drive: Excitation,
+    intact: tuple[ShipHistory, ...],
+    start: Array | None,
+) -> ShipWithoutLine | None:
+    """Run every seed once more up to where a line parts, and on without it; None without one.
+
+    By its tension it parts at the first sample of a run with all there at which it reaches the MBL.
+    """
+    dynamics = drive.dynamics
+    if dynamics.broken_line is None:
+        return None
+    line = dynamics.broken_line - 1
+    times = dict.fromkeys(range(len(intact)), dynamics.broken_at)
+    if dynamics.broken_by == "MBL":
+        leg = moored.system.legs[line]
+        MBL = min(each.MBL or math.inf for each in leg.line.segments)
+        times = {n: _first_at(each, line, MBL) for n, each in enumerate(intact)}
+    parted = {n: max(time, SLOW_STEP) for n, time in times.items() if time is not None}
+    number = line + 1
+    if not parted:
+        return ShipWithoutLine(number)
+    numbers = [each for each in range(1, len(moored.system.legs) + 1) if each != number]
+    storm, neutral = dynamics.duration_of_interest, moored.zero_load.neutral
+    left = moored.without(line)
+    try:
+        runs = tuple(_run(moored, drive, start, n, parts=(line, t)) for n, t in parted.items())
+        lines = tuple(
+            replace(each, is_transient=True) for each in _lines(left, numbers, runs, dynamics)
+        )
+        hanging = hang_under_governing(lines, left)
+    except NoAnswerError as error:
+        return ShipWithoutLine(number, refusal=error.args[0], parted=tuple(parted.values()))
+    offset = offset_of(runs, (neutral.x, neutral.y), storm)
+    return ShipWithoutLine(number, lines, hanging, offset, parted=tuple(parted.values()))
+
+
+def _first_at(run: ShipHistory, line: int, MBL: float) -> float | None:
+    """Say when a line first reaches its MBL at its fairlead, s; None where it does not."""
+    over = np.flatnonzero(run.tension[:, line, 0] >= MBL)
+    return float(run.time[over[0]]) if over.size else None
+
+
+def _of_transient(transient: ShipWithoutLine | None, dynamics: Dynamics) -> Iterator[Message]:
+    """Yield what comes of a line that parts: the largest tension and offset from then on."""
+    if transient is None:
+        return
+    number = transient.missing
+    if not transient.parted:
+        yield Message("floater.does_not_part", number=number)
+        return
+    said = {"number": number, "time": min(transient.parted), "count": len(transient.parted)}
+    yield Message(
+        "floater.parts_by_MBL" if dynamics.broken_by == "MBL" else "floater.parts", **said
+    )
+    if transient.refusal:
+        yield Message("floater.line_out_refused", number=number, why=transient.refusal)
+        return
+    assert transient.offset is not None
+    most = largest(transient.lines, lambda each: each.fairlead.seen)
+    reached = {"tension": most.fairlead.seen / 1e3, "offset": transient.offset.seen}
+    yield Message("floater.transient", line=most.number, number=number, **reached)
 
 
 def _losses(moored: MooredShip, rest: ShipAtRest) -> tuple[tuple[int, ...], tuple[int, ...]]:
@@ -444,13 +523,15 @@ def check_hanging(
 ) -> CheckReport:
     """Check each line as it hangs under its largest tension, by quasi-static factors.
 
-    With all there, unless none hang, and by the factors for one line out with each that was lost.
+    With all there, unless none hang, and by the factors for one line out with each that was lost,
+    or by the transient ones with one that parts.
     """
     assert case.system is not None
     legs, criteria, damaged = case.system.legs, _criteria(case), _line_out_criteria(case)
     results: list[CheckResult] = []
     reported: list[str] = []
-    known = strengths_of_lines(criteria, legs, damaged)
+    states = {*checked_states(damaged), *("transient" for each in lost if each.parted)}
+    known = {each.line: criteria.strengths(each.line, {"extreme"}, states) for each in legs}
 
     def check(place: Place, numbers: Sequence[int], solutions: tuple[Solution, ...]) -> None:
         for number, solution in zip(numbers, solutions, strict=True):
@@ -468,7 +549,7 @@ def check_hanging(
 
     check(Place(), range(1, len(hanging) + 1), hanging)
     for each in lost:
-        place = Place("one_line_out", missing=each.missing)
+        place = Place("transient" if each.parted else "one_line_out", missing=each.missing)
         if each.refusal:
             results += lost_results(place, each.refusal, damaged)
         check(place, [line.number for line in each.lines], each.hanging)

@@ -84,7 +84,14 @@ def line_in_motion(
     line = part.own_line if still is None else still.line
     mean = None if still is None else tuple(e.max_tension for e in still.segments)
     tensions, carried = governing_tensions(part, runs, line), _carried(case, part, runs)
-    return LineInMotion(line, tensions, mean, part.name, part.line, carried)
+    one_parts = _one_parts(part, runs)
+    return LineInMotion(line, tensions, mean, part.name, part.line, carried, one_parts)
+
+
+def _one_parts(part: DynamicPart, runs: Sequence[DynamicRun]) -> bool:
+    """Whether a line that is to part does so in some run."""
+    by_time = part.drive.dynamics.broken_by == "time"
+    return by_time or any(run.history.parted is not None for run in runs)
 
 
 def governing_tensions(
@@ -101,12 +108,15 @@ def governing_tensions(
     most = [max(run.maxima[each] for run in runs) for each in ends]
     of_bars = (anchor, fairlead)[first_largest(most)]
     found = [tuple(_segments(run, line, anchor, fairlead, of_bars)) for run in runs]
+    found += [tuple(_parted_at(part, run, line)) for run in runs]
     return tuple(max(each) for each in zip(*found, strict=True))
 
 
 def _higher(part: DynamicPart, runs: Sequence[DynamicRun], quantity: str) -> float:
     """Say by how much a maximum that is judged is above the largest of the runs, as a factor."""
-    judged_by = part.drive.dynamics.judged_by
+    dynamics = part.drive.dynamics
+    # As a line parts, what the storm may bring is that of none of its states.
+    judged_by = "largest" if dynamics.broken_line is not None else dynamics.judged_by
     extreme = None if judged_by == "largest" else part.storm(quantity, runs)
     if extreme is None:
         return 1.0
@@ -130,6 +140,17 @@ def _segments(
             largest = max(largest, fairlead * run.maxima["fairlead_tension"])
         yield largest
         start = end
+
+
+def _parted_at(part: DynamicPart, run: DynamicRun, line: Line) -> Iterator[float]:
+    """Yield the MBL of the segment that a line parts in by its strength, 0 of all others, N."""
+    dynamics, parted, start = part.drive.dynamics, run.history.parted, 0.0
+    is_own = dynamics.broken_line == (part.line or 1) and dynamics.broken_by == "MBL"
+    arc = run.history.arc[parted.bar] if parted is not None and is_own else math.inf
+    for segment in line.segments:
+        inside = start <= arc < start + segment.length
+        yield (segment.MBL or 0.0) if inside else 0.0
+        start += segment.length
 
 
 def _carried(case: Case | Network, part: DynamicPart, runs: Sequence[DynamicRun]) -> Carried | None:

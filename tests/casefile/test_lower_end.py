@@ -63,7 +63,6 @@ def test_what_a_file_says_is_read() -> None:
         (LED.replace('period = "8 s"\n', ""), "exactly one of period, file is required"),
         (LED.replace("heave = ", "rao_file = "), "anchor_motion.rao_file"),
         (LOST.replace("broken_line = 1", "broken_line = 2"), "there is one line"),
-        (LOST.replace('"anchor"', '"fairlead"'), "a line lost at its anchor has"),
         (
             LOST.replace("broken_line = 1\n", "").replace('broken_at = "10 s"\n', ""),
             "dynamics.broken_line: missing; broken_end needs it",

@@ -414,7 +414,7 @@ def test_the_defaults_on_the_page_are_those_of_the_model() -> None:
     # segments, site, point loads, load cases, checks, service, catalogue, design with its segments,
     # clump weights and loads, waves with trains, current, motion of both ends, body, dynamics, pso
     assert (
-        compared == 1 + 4 + 1 + 4 + 2 + 1 + 1 + (10 + 1 + 1 + 5) + (5 + 2) + 1 + 6 + 6 + 2 + 8 + 8
+        compared == 1 + 4 + 1 + 4 + 2 + 1 + 1 + (10 + 1 + 1 + 5) + (5 + 2) + 1 + 6 + 6 + 2 + 9 + 8
     )
 
 

@@ -463,10 +463,8 @@ def test_a_body_without_a_line_comes_to_where_statics_have_it(tmp_path: Path) ->
     assert track[-1, 1] == pytest.approx(expected.y, abs=0.005)
 
 
-def test_a_break_that_nothing_feels_is_refused() -> None:
+def test_a_break_of_no_line_is_refused() -> None:
     broken = replace(FEW, broken_line=1, broken_at=5.0)
-    with pytest.raises(InputError, match="a body with prescribed motion is not affected by it"):
-        moored(motion=Motion(8.0), dynamics=broken)
     body, beyond = Body(1e5, force_file="f"), replace(broken, broken_line=4)
     with pytest.raises(InputError, match="there are 3 lines"):
         moored(body=body, dynamics=beyond)

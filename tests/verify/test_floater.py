@@ -104,7 +104,7 @@ def test_buoy_and_line_in_a_long_wave() -> None:
     [
         (("[waves]\nspectrum = \"regular\"\nheight = \"0.6 m\"\nperiod = \"8 s\"\n", ""), "waves"),
         (("[dynamics]", '[motion]\nperiod = "8 s"\nheave = "1 m"\n\n[dynamics]'), "motion"),
-        (("time_step = ", "broken_line = 1\nbroken_at = \"5 s\"\ntime_step = "), "broken_line"),
+        (("time_step = ", "broken_line = 2\nbroken_at = \"5 s\"\ntime_step = "), "broken_line"),
     ],
 )  # fmt: skip
 def test_what_does_not_go_with_it(change: tuple[str, str], key: str) -> None:

@@ -199,7 +199,7 @@ def test_what_lines_in_motion_lack_is_named_at_once() -> None:
         (POINTS + LINES + DYNAMICS, "dynamics"),
         (FILE.replace('"24 s"', '"24 s"\nramp = "30 s"'), "dynamics.ramp"),
         (FILE + SINKER, "anchor.max_slide"),
-        (FILE.replace('"24 s"', '"24 s"\nbroken_line = 1\nbroken_at = "12 s"'), "broken_line"),
+        (FILE.replace('"24 s"', '"24 s"\nbroken_line = 9\nbroken_at = "12 s"'), "broken_line"),
         (FILE.replace('kind = "fairlead"', 'kind = "anchor"'), "motion"),
         (FILE.replace('period = "8 s"\n', ""), "motion"),
         (FILE.replace('kind = "anchor"', 'kind = "anchor"\nmass = "3 kg"', 1), "points[0].mass"),

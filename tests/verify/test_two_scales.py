@@ -304,7 +304,10 @@ def without(text: str, *lines: str) -> str:
         (('draught = "12.5 m"\n', ""), {"floater.ship.draught"}),
         (("[dynamics]", '[body]\nmass = "1 t"\n[dynamics]'), {"body"}),
         (("[dynamics]", '[motion]\nperiod = "8 s"\n[dynamics]'), {"motion"}),
-        (('ramp = "10 min"', 'broken_line = 1\nbroken_at = "60 s"'), {"dynamics.broken_line"}),
+        (
+            ('ramp = "10 min"', 'broken_line = 1\nbroken_at = "60 s"\nbroken_end = "anchor"'),
+            {"dynamics.broken_end"},
+        ),
     ],
 )
 def test_what_does_not_go_together(change: tuple[str, str], keys: set[str]) -> None:
