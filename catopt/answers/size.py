@@ -17,7 +17,14 @@ from catopt.answers.check import (
     verdict_column,
 )
 from catopt.answers.loads import forces_table, notes_table, numbers_table
-from catopt.answers.size_card import heel_words, proof_words, runs_words, size_card, slides_words
+from catopt.answers.size_card import (
+    counted_words,
+    heel_words,
+    proof_words,
+    runs_words,
+    size_card,
+    slides_words,
+)
 from catopt.constants import YEAR
 from catopt.figures.sizing import tension_by_length
 from catopt.model.line import weight_in_water
@@ -363,21 +370,22 @@ def checks_of(of: InMotion) -> blocks.Table:
 
 def tried_blocks(of: InMotion) -> tuple[blocks.Block, ...]:
     """Say how lines were run, and tabulate them."""
-    every = Rows(of.tried)
+    lines = (*of.fast, *of.tried)
+    every = Rows(lines)
     tried = tabulate(
         "lines_in_motion",
         every.texts("chain", lambda each: f"{each.component} {each.diameter * 1e3:g} mm"),
         every.measured("length", "length"),
         every.measured("mass", "mass", "mass_in_air", symbol=""),
         every.texts("runs"),
-        verdict_column(each.passes for each in of.tried),
+        verdict_column(each.passes for each in lines),
         every.texts("fails", "words"),
-        caption=Message("sizing.lines_tried"),
+        caption=Message(f"sizing.{'ship_' if of.is_of_ship else ''}lines_tried"),
     )
     heels = (Sentence(each, capital=True) for each in (*heel_words(of), *slides_words(of)))
     proof = proof_words(of)
     proven = () if proof is None else (Sentence(proof, capital=True),)
-    said = map(blocks.Text, (runs_words(of), of.counted.words, *proven, *heels))
+    said = map(blocks.Text, (runs_words(of), counted_words(of), *proven, *heels))
     seas = [_seas(of)] if of.seas else []
     return (*said, tried, *seas, *(_by_length(of) if of.by_length else ()))
 

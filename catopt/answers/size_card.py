@@ -32,6 +32,7 @@ from catopt.checks.kinds import is_wanted
 from catopt.constants import YEAR
 from catopt.loads.ship import SHORTEST
 from catopt.model import CatalogueChoice
+from catopt.sizing.quick import MARGIN
 from catopt.units import lasting
 from catopt.verify.convergence_check import LIMIT
 from catopt.words import Measure, Message, Sentence, Several, is_said, term
@@ -188,6 +189,14 @@ def runs_words(of: InMotion) -> Message:
     return said
 
 
+def counted_words(of: InMotion) -> Message:
+    """Say how many lines were run, and how many by the fast judgement before."""
+    if not of.fast:
+        return of.counted.words
+    fast = {"count": len(of.fast), "margin": MARGIN}
+    return Message("sizing.lines_run_after", run=of.counted.words, **fast)
+
+
 def band_words(of: Band) -> Message:
     """Say what a ship's tension is over the ranges of what decides it."""
 
@@ -245,7 +254,7 @@ def _of_the_runs(of: InMotion) -> Iterator[Brief]:
     yield Brief((runs_words(of),), Message("sizing.card_runs"), 2)
     if of.band is not None:
         yield Brief((band_words(of.band),), Message("sizing.card_band"), 4)
-    yield Brief((of.counted.words,), Message("sizing.card_in_motion"), 2)
+    yield Brief((counted_words(of),), Message("sizing.card_in_motion"), 2)
     proof = proof_words(of)
     is_expected = of.is_of_ship and of.proof == "converged"  # of her smooth slow motion
     if proof is not None and not is_expected:

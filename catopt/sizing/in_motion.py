@@ -313,8 +313,8 @@ class InMotion(Record):
         f"{within('storm', STORM)} factor allowance heel? mean_heel~ slides~ proof~ changes~ "
         "checks.results=checks "
         "checks.nearest=governing how.periods~ how.heights~ seas~ directions~ "
-        "counted=lines(considered at_rest excluded run runs) tried by_length checks.warnings "
-        "band? own? basis?"
+        "counted=lines(considered at_rest excluded run runs) tried fast? by_length "
+        "checks.warnings band? own? basis?"
     )
 
     how: RunsAfloat
@@ -354,6 +354,9 @@ class InMotion(Record):
     """Whether its runs come to the same at half the step and with twice the bars."""
     changes: tuple[Change, ...] = ()
     """Largest of each judged value there, by all ways together; empty where nothing ran again."""
+    fast: tuple[LineTried, ...] = ()
+    """Lines that the fast judgement ran before; of the nearest, which fails by its margin alone,
+    the size was run in full. Empty where its answer stands, or where it was not asked."""
 
     @property
     def own_slide(self) -> SinkerSlide | None:

@@ -119,7 +119,8 @@ def search_in_motion(
         every = [each for each in found.judged.values() if each is not None]
         near = next((each for each in every if each.tried.fails_by_margin(how.margin)), None)
         if near is not None:
-            return _search_in_full(near.tried, request, best_at_rest, settle_line)
+            full = _search_in_full(near.tried, request, best_at_rest, settle_line)
+            return full._replace(in_motion=replace(full.in_motion, fast=found.tried))
         tried = [(each.settled.point.line, each.tried) for each in every]
         raise NoLineInMotionError(tried, counted)
     assert chosen.checks is not None

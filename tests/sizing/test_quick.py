@@ -8,6 +8,9 @@ from typing import Any
 import pytest
 
 import catopt
+from catopt.answers.blocks import Table
+from catopt.answers.size import tried_blocks
+from catopt.answers.size_card import counted_words
 from catopt.checks.kinds import CheckSource
 from catopt.checks.result import CheckResult
 from catopt.errors import InputError
@@ -77,3 +80,13 @@ def test_the_buoy_of_readme_passes_in_full_where_the_margin_leaves_none() -> Non
     assert found.in_motion is not None
     assert not found.in_motion.how.quick
     assert found.in_motion.checks.is_proven
+    # What the fast judgement ran before is told, with its margin, and stands in the table.
+    fast = found.in_motion.fast
+    assert fast
+    assert any(each.fails_by_margin(1.25) for each in fast)
+    assert not any(each.passes for each in fast)
+    (table,) = (one for one in tried_blocks(found.in_motion) if isinstance(one, Table))
+    assert len(table.columns[0].values) == len(fast) + len(found.in_motion.tried)
+    said = str(counted_words(found.in_motion))
+    assert f"before, {len(fast)} by the fast judgement" in said
+    assert "margin of 1.25" in said
