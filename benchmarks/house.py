@@ -10,7 +10,7 @@ beside the code are counted apart, by their lines.
 
 Statements are counted without imports and docstrings. A fork is a place that asks which kind a
 mooring is, a line, a body on lines or lines between points: a test of a type, of `system` or of
-`network` that may be None. Solvers are listed by what they find.
+`network` that may be None, or a question for `several_lines`. Solvers are listed by what they find.
 """
 
 from __future__ import annotations
@@ -35,6 +35,8 @@ KINDS = {"Network", "System"}
 """Types that are kinds of a mooring."""
 MAYBE = {"network", "system"}
 """Names of what is None for a mooring of another kind."""
+ASKED = "several_lines"
+"""What says which of two kinds it is."""
 
 SOLVERS = {
     "what a line between two points pulls with, and how stiffly": (
@@ -174,6 +176,8 @@ def _is_statement(node: ast.AST) -> bool:
 
 def _is_fork(node: ast.AST) -> bool:
     """Whether a node asks which kind a mooring is."""
+    if isinstance(node, ast.Attribute) and node.attr == ASKED:
+        return True
     if isinstance(node, ast.Call) and _name(node.func) in {"isinstance", "issubclass"}:
         return any(_name(each) in KINDS for each in ast.walk(node.args[-1]))
     if isinstance(node, ast.Compare) and isinstance(node.ops[0], ast.Is | ast.IsNot):

@@ -52,8 +52,7 @@ def _bodies() -> None:
     """Many loads on one body: what brings joints to rest, too."""
     from catopt.mooring.batch import solve_system_many
 
-    system = _template("system").system
-    assert system is not None
+    system = _template("system").own_system
     solve_system_many(system, force=[[0.0, 0.0], [1e4, 0.0]])
 
 
@@ -134,8 +133,7 @@ def _ship() -> None:
     from catopt.model import ShipAfloat
     from catopt.waves import regular_wave
 
-    system = _template("system").system
-    assert system is not None
+    system = _template("system").own_system
     depth = max(leg.fairlead_height for leg in system.legs)
     of = ShipInWeather(ShipAfloat(30.0, 8.0, 0.2 * depth, 0.5 * depth), depth, 1025.0, (5.0, 0.0))
     for on_lines in (MooredShip, TabulatedShip):

@@ -252,7 +252,7 @@ def _fails_in_motion(result: DesignResult) -> Iterator[blocks.Block]:
 def _known_objectives(result: DesignResult) -> list[tuple[str, Quantity]]:
     known = result.front[0].objectives
     keys = dict.fromkeys((*result.objectives, *known))
-    of_body = result.case.system is not None
+    of_body = result.case.several_lines
     return [(key, objective(key, of_body=of_body)) for key in keys]
 
 

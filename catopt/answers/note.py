@@ -433,7 +433,7 @@ def _life(case: Case | Network) -> Message:
 def _pretension(sheet: Sheet) -> Message:
     if sheet.pretension is None:
         return Message("note_sheet.no_pretension")
-    key = "of_body" if sheet.system is not None else "of_line"
+    key = f"of_{sheet.about}"
     tension = Measure("tension", sheet.pretension)
     return Message(f"note_sheet.pretension_{key}", tension=tension)
 
@@ -478,8 +478,7 @@ def _anchor_place(sheet: Sheet) -> Iterator[Block]:
     if not moved.rows:
         yield Text(Message("note_sheet.anchor_free"))
         return
-    about = "of_body" if sheet.system is not None else "of_line"
-    yield Text(Message(f"note_sheet.anchor_{about}"))
+    yield Text(Message(f"note_sheet.anchor_of_{sheet.about}"))
     planned = max(each.fairlead.tension for each in sheet.intact)
     tensions = Rows(moved.read("tension"))
     yield tabulate(
@@ -487,7 +486,7 @@ def _anchor_place(sheet: Sheet) -> Iterator[Block]:
         moved.measured("span", "way", "note_sheet.farther"),
         moved.measured("tension", "tension", "largest_tension"),
         tensions.measured("tension", lambda tension: tension - planned, "note_sheet.change"),
-        *(moved.own("offset") if sheet.system is not None else ()),
+        *blocks.if_known(*moved.own("offset")),
     )
     yield from (Text(each.refusal) for each in moved.rows if each.refusal)
 

@@ -344,9 +344,9 @@ def _design_segment(each: dict[str, Any], case: Case) -> Segment:
 def _system(design: dict[str, Any], line: Line, case: Case) -> System | None:
     """Build the body with the lines of the design."""
     found = design.get("system")
-    if found is None or case.system is None:
+    if found is None or not case.several_lines:
         return case.system
-    own, first = case.system, case.system.legs[0]
+    own, first = case.own_system, case.own_system.legs[0]
     return System.around(
         line,
         azimuths=found["azimuths_rad"],

@@ -306,21 +306,16 @@ def check_strengths(case: Case | Network) -> None:
     """
     criteria = criteria_of(case, analysis="dynamic")
     kinds = {each.kind for each in case.load_cases} or {"extreme"}
-    if isinstance(case, Network):
-        problems: list[Problem] = []
-        for k, each in enumerate(case.lines):
-            try:
-                criteria.strengths(each.line, kinds, _states(case))
-            except InputError as error:
-                problems += (
-                    replace(p, key=p.key.replace("line.", f"lines[{k}].", 1))
-                    for p in error.problems
-                )
-        if problems:
-            raise InputError(tuple(problems), "checks")
-        return
-    for line in dict.fromkeys(case.every_line):
-        criteria.strengths(line, kinds, _states(case))
+    problems: list[Problem] = []
+    for key, line in dict.fromkeys(case.keyed_lines):
+        try:
+            criteria.strengths(line, kinds, _states(case))
+        except InputError as error:
+            problems += (
+                replace(p, key=p.key.replace("line.", f"{key}.", 1)) for p in error.problems
+            )
+    if problems:
+        raise InputError(tuple(problems), "checks")
 
 
 def _states(case: Case | Network) -> set[State]:

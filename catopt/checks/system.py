@@ -68,13 +68,12 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
     The report is what `report_system` gave for it; what it lacks is solved here. Raises what
     `check_case` and `report_system` raise.
     """
-    assert case.system is not None
-    criteria = criteria_of(case)
-    legs = case.system.legs
-    damaged = for_line_out(criteria, len(legs)) if case.system.judged_line_out else ()
+    system, criteria = case.own_system, criteria_of(case)
+    legs = system.legs
+    damaged = for_line_out(criteria, len(legs)) if system.judged_line_out else ()
     known = strengths_of_lines(criteria, legs, damaged)
     report = report or report_system(case)
-    lost = report.line_out or one_line_out(case.system) if damaged else ()
+    lost = report.line_out or one_line_out(system) if damaged else ()
     states = tuple(_states(report.solution, lost))
     results: list[CheckResult] = []
     solved: list[tuple[Lifted, Place]] = []
@@ -92,7 +91,7 @@ def check_system(case: Case, report: SystemReport | None = None) -> CheckReport:
         *(warning for reported in lines.values() for warning in reported),
         *(
             of_line_out(criteria, damaged, len(legs))
-            if case.system.judged_line_out
+            if system.judged_line_out
             else (Message("checks.line_out_not_asked"),)
         ),
         *of_transient(criteria),

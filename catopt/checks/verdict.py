@@ -187,10 +187,7 @@ def _wears(of: Matter) -> bool:
     case = of.case
     if case is None:
         return False
-    if case.system is not None:
-        lines = {leg.line for leg in case.system.legs}
-    else:
-        lines = {case.line} if hasattr(case, "line") else {each.line for each in case.lines}
+    lines = set(case.every_line)
     names = (each.name or each.component for line in lines for each in line.segments)
     return any(line_kind(name) == "chain" for name in names)
 

@@ -91,7 +91,7 @@ def least_diameters(
         if strength.kind == "rope" or not wanted or end is None:
             continue
         limits = [_by_tension(segment, criteria, wanted, "wear.tension")]
-        if case is not None and case.system is None:
+        if case is not None and not case.several_lines:
             limits.append(_by_checks(case, line, number))
         if moved is not None and moved.case is not None:
             limits += _in_motion(moved, segment, number, end)

@@ -15,7 +15,6 @@ from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, DesignOption, LoadCaseOption, OutOption
 from catopt.cli.system import Wanted, answer_mooring
 from catopt.errors import Problem
-from catopt.model.network import Network
 from catopt.words import Message
 
 Method = Literal["closed-form", "pso"]
@@ -44,7 +43,7 @@ def solve(
         runs=runs, particles=particles, iterations=iterations, seed=seed, boundary=boundary
     )
     mooring = read_mooring_or_design(case, design)
-    if isinstance(mooring, Network) or mooring.system is not None:
+    if mooring.several_lines:
         swarm = {"method": "pso"} if method == "pso" else {}
         others = {"load-case": load_case, "profile": profile or None}
         of_a_line = swarm | given | values.given_ones(**others)

@@ -87,7 +87,7 @@ def with_known_codes(case: Moored) -> Moored:
     return case
 
 
-def in_state(case: Moored, name: str | None) -> Moored:
+def in_state(case: Any, name: str | None) -> Any:
     """Return a case under the load case that ``--load-case`` names; as it is without a name.
 
     Raises InputError where the case has no such load case, or seeks something.

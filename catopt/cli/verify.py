@@ -166,8 +166,6 @@ def _one(
         _check_for_motion(case)
     if moving is not None and case.site.seabed_slope != 0.0:
         at_rest = Verification(case, ())  # there is no closed form to compare with
-    elif isinstance(case, Network):
-        at_rest = verify_case(case, load_case=load_case, **how)
     else:
         with asked.output.progress(Message("beside.load_cases")) as tell:
             at_rest = verify_case(case, load_case=load_case, progress=tell, **how)

@@ -58,9 +58,8 @@ class MooringProblem(DesignProblem):
         InputError: a figure that objectives or checks need is missing, anchors are
         nearer than fairleads, or a line might be made that does not stretch at all; all at once.
         """
-        design, system = case.design, case.system
+        design, system = case.design, case.own_system
         assert design is not None
-        assert system is not None
         found = Findings("design")
         loads = loads_of(design, system)
         layout = _layout(design, system, loads, found)
@@ -76,8 +75,7 @@ class MooringProblem(DesignProblem):
     def of_present(cls, case: Case) -> MooringProblem:
         """Make the problem whose only design is the mooring of the case file."""
         assert case.design is not None
-        assert case.system is not None
-        line, legs = case.line, case.system.legs
+        line, legs = case.line, case.own_system.legs
         weights = tuple(
             ClumpWeightVariable(
                 (load.mass or 0.0,),
@@ -93,7 +91,7 @@ class MooringProblem(DesignProblem):
             weights,
             LayoutVariable((tuple(leg.azimuth for leg in legs),), (legs[0].anchor_radius,)),
         )
-        return cls._made(case, space, criteria_of(case), loads_of(case.design, case.system), ())
+        return cls._made(case, space, criteria_of(case), loads_of(case.design, case.own_system), ())
 
     @classmethod
     def _made(
@@ -181,8 +179,7 @@ class MooringProblem(DesignProblem):
     @property
     def loads(self) -> tuple[DesignLoad, ...]:
         """What the body has to meet."""
-        assert self.case.system is not None
-        return loads_of(self.design, self.case.system)
+        return loads_of(self.design, self.case.own_system)
 
     def pretension(self, genes: tuple[int, ...]) -> float | None:
         """Horizontal force in each line with the body at its origin, N, where it is chosen."""
@@ -195,9 +192,9 @@ class MooringProblem(DesignProblem):
 
         It is under the force of the case, or its first load where it has none.
         """
-        assert self.case.system is not None
         assert self.space.layout is not None
-        own, first, load = self.case.system, self.case.system.legs[0], self.loads[0]
+        own, load = self.case.own_system, self.loads[0]
+        first = own.legs[0]
         line = self.space.line(genes)
         pretension = self.pretension(genes)
         if pretension is None:

@@ -450,8 +450,8 @@ class DesignResult(Displayable, Record):
     @property
     def load_cases(self) -> Annotated[tuple[DesignLoadCase, ...], From(1)]:
         """Every design is checked in each."""
-        system, design, height = self.case.system, self.case.design, self.case.fairlead_height
-        if system is not None and design is not None:
+        design, height = self.case.design, self.case.fairlead_height
+        if design is not None and self.case.several_lines:
             return tuple(
                 DesignLoadCase(
                     under(load, angle),
@@ -462,7 +462,7 @@ class DesignResult(Displayable, Record):
                     angle,
                     load.line_out,
                 )
-                for load in loads_of(design, system)
+                for load in loads_of(design, self.case.own_system)
                 for angle in load.directions
             )
         states = {each.name: each for each in self.case.load_cases}

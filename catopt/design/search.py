@@ -302,7 +302,7 @@ def problem_of(case: Case) -> DesignProblem:
     """Make the problem of a case: of lines, or of whole moorings; errors as for `design_case`."""
     case.site.check_level()
     case.check_still_water()
-    is_mooring = case.design is not None and case.system is not None
+    is_mooring = case.design is not None and case.several_lines
     return (MooringProblem if is_mooring else DesignProblem).of(case)
 
 

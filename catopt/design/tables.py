@@ -261,8 +261,7 @@ def mooring_tables(
 
     The reserve of buoyancy, which all lines share, is taken from the limits of each.
     """
-    system = case.system
-    assert system is not None
+    system = case.own_system
     assert space.layout is not None
     layouts = space.layout.azimuths
     most = max(map(len, layouts))

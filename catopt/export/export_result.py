@@ -257,7 +257,7 @@ def exported_lines(case: Case | Network, EA: float | None = None) -> ExportedLin
     """
     if isinstance(case, Network):
         return _between_points(case, EA)
-    return _line(case, EA) if case.system is None else _body(case, EA)
+    return _body(case, EA) if case.several_lines else _line(case, EA)
 
 
 def rigid_segments(case: Case | Network) -> tuple[str, ...]:
@@ -309,11 +309,10 @@ def _stretching(own: Solution, case: Case, EA: float) -> Solution:
 
 def _body(case: Case, EA: float | None) -> ExportedLines:
     own = report_system(case).solution
-    assert case.system is not None
     solved = own
     if EA is not None:
-        legs = tuple(replace(leg, line=_with_EA(leg.line, EA)) for leg in case.system.legs)
-        case = replace(case, system=replace(case.system, legs=legs))
+        legs = tuple(replace(leg, line=_with_EA(leg.line, EA)) for leg in own.system.legs)
+        case = replace(case, system=replace(own.system, legs=legs))
         solved = report_system(case).solution
     lines = tuple(
         ExportedLine(

@@ -163,7 +163,7 @@ class Case(Checked):
     def _check(self, found: Findings) -> None:
         object.__setattr__(self, "accept", accepted_in(self.accept, self))
         found.check("fairlead_height", "anchor_height")
-        has_system = self.system is not None
+        has_system = self.several_lines
         if self.site.is_in_air and (wet := [k for k in WET if getattr(self, k) is not None]):
             named = ", ".join(f"[{key}]" for key in wet)
             found.add("site", "", Message("refused_case.site_for", keys=named))
@@ -181,9 +181,8 @@ class Case(Checked):
                 {**others, "site.seabed_slope": self.site.seabed_slope}
             )
         if self.design is not None:
-            has_force = self.system is not None and any(self.system.force)
             found.problems += body_misfits(
-                vars(self.design), has_system=has_system, has_force=has_force
+                vars(self.design), has_system=has_system, has_force=any(self.own_force)
             )
         for part, of in (("checks", self.checks), ("anchor", self.anchor)):
             factor = None if of is None else of.safety_factor_line_out
@@ -255,12 +254,36 @@ class Case(Checked):
     @property
     def every_line(self) -> tuple[Line, ...]:
         """The line, or those of the body that is moored."""
-        return (self.line,) if self.system is None else tuple(leg.line for leg in self.system.legs)
+        return (
+            tuple(leg.line for leg in self.own_system.legs) if self.several_lines else (self.line,)
+        )
+
+    @property
+    def own_system(self) -> System:
+        """Its body on several lines; InputError where it has one line."""
+        if self.system is None:
+            wanted = Message("refused_motion.missing_table_system_with_anchor")
+            raise refused("system", "", wanted)
+        return self.system
 
     @property
     def keyed_lines(self) -> Iterator[tuple[str, Line]]:
         """Its lines by their keys in the file."""
         return (("line", line) for line in self.every_line)
+
+    def without_load_cases(self) -> Case:
+        """Return the case with its load alone."""
+        return replace(self, load_cases=())
+
+    @property
+    def own_force(self) -> tuple[float, float]:
+        """On its body along x and y, N; 0 where it has one line."""
+        return self.own_system.force if self.several_lines else (0.0, 0.0)
+
+    @property
+    def keyed_joints(self) -> tuple[()]:
+        """None: its lines end at anchors and fairleads."""
+        return ()
 
     @property
     def several_lines(self) -> bool:

@@ -433,9 +433,24 @@ class Network(Checked):
                 found.add("anchor", said, Message("refused_case.anchor_holds_one_end"))
 
     @property
+    def every_line(self) -> tuple[Line, ...]:
+        """Its lines, as they are given."""
+        return tuple(each.line for each in self.lines)
+
+    @property
     def keyed_lines(self) -> Iterator[tuple[str, Line]]:
         """Its lines by their keys in the file."""
         return ((f"lines[{k}]", each.line) for k, each in enumerate(self.lines))
+
+    def without_load_cases(self) -> Network:
+        """Return it as it is: it has none."""
+        return self
+
+    @property
+    def keyed_joints(self) -> tuple[tuple[str, Point], ...]:
+        """The points that are free by their keys in the file."""
+        keyed = ((f"points[{k}]", point) for k, point in enumerate(self.points))
+        return tuple((key, point) for key, point in keyed if point.kind == "joint")
 
     @property
     def numbers(self) -> dict[str, int]:

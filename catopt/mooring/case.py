@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from catopt.catenary.case import of_accepted
 from catopt.catenary.solution import above_water, named_line, weighs_as_in_water
 from catopt.display import Displayable
-from catopt.errors import InputError, NoAnswerError, Problem, refused
+from catopt.errors import InputError, NoAnswerError, Problem
 from catopt.model import Case, System
 from catopt.model.kinds import Findings, Place, SomeForce, Stiffness
 from catopt.model.network import Network
@@ -263,10 +263,7 @@ def report_system(
     roll, pitch, yaw (rad). Errors as for `solve_system` and `at_displacement`; FloatsUpError for a
     buoy that would float above the water surface.
     """
-    system = case.system
-    if system is None:
-        wanted = Message("refused_motion.missing_table_system_with_anchor")
-        raise refused("system", "", wanted)
+    system = case.own_system
     solution = solve_system(system)
     above: list[str] = [*weighs_as_in_water(case.fairlead_height, case.site.water_depth)]
     for number, line in enumerate(solution.lines, start=1):

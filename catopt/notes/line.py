@@ -35,7 +35,13 @@ from catopt.notes.origin import (
     read_with_sources,
     source_of,
 )
-from catopt.notes.sheet import AnyNote, both_models, doubts_of_models, sheet_of
+from catopt.notes.sheet import (
+    AnyNote,
+    LinesOfABody,
+    both_models,
+    doubts_of_models,
+    sheet_of,
+)
 from catopt.progress import Progress
 from catopt.sizing.kinds import schema_of
 from catopt.words import Cited, Message, is_said, term
@@ -281,9 +287,9 @@ def size_note(sizing: Sizing, given: Given, asked: Asked | None = None) -> SizeN
             sizing.case,
             point.line,
             fitted.checks,
-            around,
-            point.anchor,
-            None if sizing.in_motion is None else sizing.in_motion.checks,
+            None if around is None else LinesOfABody(around),
+            anchor=point.anchor,
+            moved=None if sizing.in_motion is None else sizing.in_motion.checks,
         ),
         options=given.options,
         warnings=(*sizing.warnings, *more),

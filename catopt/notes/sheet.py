@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar, Literal, Protocol
 
 from catopt.catenary.case import solve_case
 from catopt.checks.criteria import Criteria, criteria_of
@@ -42,6 +42,9 @@ class AnchorMoved:
     tension: float | None = None
     offset: float | None = None
     refusal: str = ""
+
+
+About = Literal["line", "body"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -88,7 +91,7 @@ class Stated:
 class Sheet(Stated):
     """What is stated of a case with all its load cases.
 
-    `line` is that of the note, of a body one of its lines; `system` is the body under its load.
+    `line` is that of the note, of a body one of its lines; `about` says of which it is.
     `pretension` (N) is the largest tension at a fairlead of the body under no load, of a line in
     its reference load case. `moved` is the most loaded line's anchor elsewhere, or that of a line
     whose span is given; empty where the force on the line is given, which does not change by that.
@@ -97,7 +100,7 @@ class Sheet(Stated):
 
     case: Case
     line: Line
-    system: SystemSolution | None = None
+    about: About
     pretension: float | None = None
     moved: tuple[AnchorMoved, ...] = ()
     least: tuple[LeastDiameter, ...] = ()
@@ -121,75 +124,127 @@ class AnyNote:
         return self.sheet.report
 
 
+class Loaded(Protocol):
+    """What is stated of lines as they are loaded: of one, or of those of a body."""
+
+    about: ClassVar[About]
+    """What the sentences are about."""
+
+    @property
+    def intact(self) -> Sequence[Solution]:
+        """Solve them with none missing."""
+
+    @property
+    def pretension(self) -> float | None:
+        """Largest tension at a fairlead without load, N; None where it is not known."""
+
+    def moved(self) -> Iterator[AnchorMoved]:
+        """Move the anchor of the most loaded one."""
+
+
+@dataclass(frozen=True)
+class OneLine:
+    """One line, under all its load cases."""
+
+    case: Case
+    report: CheckReport
+    about: ClassVar[About] = "line"
+
+    @property
+    def intact(self) -> Sequence[Solution]:
+        """In every load case in which the mooring is whole."""
+        out = {each.name for each in self.report.load_cases if each.state != "intact"}
+        return [solution for name, solution in self.report.solutions if name not in out]
+
+    @property
+    def pretension(self) -> float | None:
+        """In its reference load case."""
+        everyday = {each.name for each in self.report.load_cases if each.kind == "reference"}
+        solutions = self.report.solutions
+        found = [each.fairlead.tension for name, each in solutions if name in everyday]
+        return max(found, default=None)
+
+    def moved(self) -> Iterator[AnchorMoved]:
+        """Change the span where that is held; a given force or tension stays what it is."""
+        case = self.case
+        if case.load is None or case.load.span is None:
+            return
+        (_, solution), *_ = self.report.solutions
+        for way in (-PART * solution.span, PART * solution.span):
+            held = replace(case, load=Load(span=solution.span + way))
+            try:
+                yield AnchorMoved(way, solve_case(held).fairlead.tension)
+            except CatoptError as error:
+                yield AnchorMoved(way, refusal=error.message)
+
+
+@dataclass(frozen=True)
+class LinesOfABody:
+    """The lines of a body under its load."""
+
+    solution: SystemSolution
+    about: ClassVar[About] = "body"
+
+    @property
+    def intact(self) -> Sequence[Solution]:
+        """Every line."""
+        return [each.solution for each in self.solution.lines]
+
+    @property
+    def pretension(self) -> float | None:
+        """Of the body under no load."""
+        system = self.solution.system
+        unloaded = solve_system(replace(system, force=(0.0, 0.0), moment=0.0))
+        return max(each.tension for each in unloaded.lines)
+
+    def moved(self) -> Iterator[AnchorMoved]:
+        """Move the most loaded line's anchor; the body comes to rest anew."""
+        system, k, start = self.solution.system, self.solution.most_loaded, self.solution.neutral
+        leg, span = system.legs[k], self.solution.lines[k].solution.span
+        for way in (-PART * span, PART * span):
+            moved = replace(leg, anchor_radius=leg.anchor_radius + way)
+            legs = (*system.legs[:k], moved, *system.legs[k + 1 :])
+            try:
+                found = solve_system(replace(system, legs=legs))
+            except CatoptError as error:
+                yield AnchorMoved(way, refusal=error.message)
+                continue
+            offset = math.hypot(found.position.x - start.x, found.position.y - start.y)
+            yield AnchorMoved(way, max(each.tension for each in found.lines), offset)
+
+
 def sheet_of(
     case: Case,
     line: Line,
     report: CheckReport,
-    system: SystemSolution | None = None,
+    loaded: Loaded | None = None,
+    *,
     anchor: Anchor | None = None,
     moved: CheckReport | None = None,
 ) -> Sheet:
     """Work out what is stated of a line, or of a body on several.
 
-    `case` has all its load cases; `line` is that of the note, `system` the body under its load, and
-    `anchor` stands in the place of the case's own. `moved` are its checks in motion.
+    `case` has all its load cases; `line` is that of the note, and `anchor` stands in the place of
+    the case's own. `loaded`: the lines under load; that of the case when left out. `moved` are its
+    checks in motion.
     """
+    loaded = loaded or OneLine(case, report)
     anchor = anchor or case.anchor
     criteria = criteria_of(replace(case, anchor=anchor))
-    out = {each.name for each in report.load_cases if each.state != "intact"}
-    intact = [solution for name, solution in report.solutions if name not in out]
-    if system is not None:
-        intact = [each.solution for each in system.lines]
+    intact = tuple(loaded.intact)
     return Sheet(
         case=case,
         line=line,
         report=report,
         criteria=criteria,
-        lines=1 if system is None else len(intact),
-        intact=tuple(intact),
+        lines=len(intact) if loaded.about == "body" else 1,
+        intact=intact,
         anchor=anchor,
-        system=system,
-        pretension=_pretension(report, system),
-        moved=tuple(_of_a_line(case, report) if system is None else _of_a_body(system)),
+        about=loaded.about,
+        pretension=loaded.pretension,
+        moved=tuple(loaded.moved()),
         least=least_diameters(report, criteria, line, case, moved),
     )
-
-
-def _pretension(report: CheckReport, system: SystemSolution | None) -> float | None:
-    if system is not None:
-        unloaded = solve_system(replace(system.system, force=(0.0, 0.0), moment=0.0))
-        return max(each.tension for each in unloaded.lines)
-    everyday = {each.name for each in report.load_cases if each.kind == "reference"}
-    found = [each.fairlead.tension for name, each in report.solutions if name in everyday]
-    return max(found, default=None)
-
-
-def _of_a_line(case: Case, report: CheckReport) -> Iterator[AnchorMoved]:
-    """Change the span where that is held; a given force or tension stays what it is."""
-    if case.load is None or case.load.span is None:
-        return
-    (_, solution), *_ = report.solutions
-    for way in (-PART * solution.span, PART * solution.span):
-        held = replace(case, load=Load(span=solution.span + way))
-        try:
-            yield AnchorMoved(way, solve_case(held).fairlead.tension)
-        except CatoptError as error:
-            yield AnchorMoved(way, refusal=error.message)
-
-
-def _of_a_body(solution: SystemSolution) -> Iterator[AnchorMoved]:
-    system, k, start = solution.system, solution.most_loaded, solution.neutral
-    leg, span = system.legs[k], solution.lines[k].solution.span
-    for way in (-PART * span, PART * span):
-        moved = replace(leg, anchor_radius=leg.anchor_radius + way)
-        legs = (*system.legs[:k], moved, *system.legs[k + 1 :])
-        try:
-            found = solve_system(replace(system, legs=legs))
-        except CatoptError as error:
-            yield AnchorMoved(way, refusal=error.message)
-            continue
-        offset = math.hypot(found.position.x - start.x, found.position.y - start.y)
-        yield AnchorMoved(way, max(each.tension for each in found.lines), offset)
 
 
 # ------------------------------------------------------------------ the truss model
@@ -205,9 +260,7 @@ def both_models(case: Case | Network, load_case: str = "") -> tuple[Verification
     from catopt.verify.case import LOAD, verify_case
 
     try:
-        if isinstance(case, Network) or case.system is not None:
-            return verify_case(case), ""
-        found = verify_case(replace(case, load_cases=()))
+        found = verify_case(case.without_load_cases())
     except CatoptError as error:
         return None, error.message
     (part,) = found.parts

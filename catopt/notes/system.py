@@ -29,7 +29,14 @@ from catopt.notes.origin import (
     read_source,
     read_with_sources,
 )
-from catopt.notes.sheet import AnyNote, Stated, both_models, doubts_of_models, sheet_of
+from catopt.notes.sheet import (
+    AnyNote,
+    LinesOfABody,
+    Stated,
+    both_models,
+    doubts_of_models,
+    sheet_of,
+)
 from catopt.progress import Progress
 from catopt.quantities import QUANTITIES
 from catopt.verify.motion_words import doubts, stopped_sentence
@@ -189,7 +196,7 @@ def system_note(
         origin=origin_of(
             (*files, *(motion_files(case) if found else ())), asked.date, title_block=case.document
         ),
-        sheet=sheet_of(case, case.line, checks, report.solution, moved=judged),
+        sheet=sheet_of(case, case.line, checks, LinesOfABody(report.solution), moved=judged),
         warnings=tuple(dict.fromkeys(warnings)),
         verification=verification,
         verification_failure=failure,
@@ -230,14 +237,13 @@ def directions_of(force: tuple[float, float]) -> tuple[float, float]:
 def _report(case: Case) -> tuple[SystemReport, tuple[str, ...]]:
     """Solve the body, and what else is shown; say why where a part of that has no answer."""
     report = report_system(case, with_line_out=True)
-    assert case.system is not None
     warnings = []
     try:
         report = replace(report, circle=report_system(case, with_circle=True).circle)
     except CatoptError as error:
         warnings.append(Message("notes.circle_left_out", why=error.message))
     curves = []
-    for direction in directions_of(case.system.force):
+    for direction in directions_of(case.own_system.force):
         try:
             curves.append(_curve(case, report.solution, direction))
         except CatoptError as error:

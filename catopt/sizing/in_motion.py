@@ -373,7 +373,7 @@ class InMotion(Record):
     @property
     def is_of_ship(self) -> bool:
         """Whether lines were run with a ship, by closed form."""
-        return self.case.system is not None
+        return self.case.several_lines
 
     @property
     def elements(self) -> FromOne | None:

@@ -259,9 +259,9 @@ def ship_afloat(
         made = system_case(case, replace(around, states=(there,)))
         held = _turned(made, rest.solution.system.force)
     if worn:
-        assert held.system is not None
-        legs = (replace(leg, line=worn_line(leg.line, held.service)) for leg in held.system.legs)
-        held = replace(held, system=replace(held.system, legs=tuple(legs)))
+        own = held.own_system
+        legs = (replace(leg, line=worn_line(leg.line, held.service)) for leg in own.legs)
+        held = replace(held, system=replace(own, legs=tuple(legs)))
     moored = next(each for each in request.ships if each.condition == at.condition)
     vane = request.weathervaning
     lies = worst_lying(request, moored, at.depth, (directions,) if directions else vane.directions)
@@ -332,9 +332,8 @@ def _one_line(case: Case, state: LoadCase, settled: ConvergedSizing) -> Case:
 
 def _turned(case: Case, force: tuple[float, float]) -> Case:
     """Turn lines, and the loads that they are designed for, until a force of theirs is along x."""
-    assert case.system is not None
     angle = math.atan2(force[1], force[0])
-    system, design = case.system.turned(-angle), case.design
+    system, design = case.own_system.turned(-angle), case.design
     if design is not None:
         loads = (replace(each, direction=each.direction - angle) for each in design.loads)
         design = replace(design, loads=tuple(loads))

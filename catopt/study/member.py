@@ -309,9 +309,7 @@ def _in_motion(base: Base, case: Case | Network) -> Values:
     if not found.is_complete:
         raise KeyboardInterrupt
     ran = found.parts
-    tension = found.governing.of("fairlead_tension")
-    if isinstance(case, Network):  # whichever end of a line is pulled at most
-        tension = largest((tension, found.governing.of("anchor_tension")), lambda x: x.maximum)
+    tension = largest(found.governing.at_ends, lambda x: x.maximum)
     values: Values = {
         "fairlead_tension": tension.maximum,
         "fairlead_mean": tension.mean,

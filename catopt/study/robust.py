@@ -200,7 +200,7 @@ def drawn_problem(study: Study) -> DrawnProblem:
     if case.design is not None and case.design.in_motion:
         said = Message("refused_study.no_motion_in_draws")
         problems.append(Problem("design.in_motion", "true", said))
-    if case.system is not None:
+    if case.several_lines:
         problems.append(Problem("system", "", Message("refused_study.no_mooring_in_draws")))
     if problems:
         raise InputError(problems, study.base.source)

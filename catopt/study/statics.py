@@ -100,8 +100,8 @@ def _solve(base: Base, piece: StudyPiece, group: Codes, found: AtRest) -> None:
         if any(each.submerged_weight < 0.0 for each in case.line.point_loads):
             # Of its buoys it is to be told, load by load, that none rises above the water.
             solved = _each(partial(_under, case), loads, len(at))
-        elif case.system is not None:
-            solved = _bodies(case.system, loads, len(at))
+        elif case.several_lines:
+            solved = _bodies(case.own_system, loads, len(at))
         else:
             solved = _lines(case, loads, len(at))
     for name, column in solved.values.items():
@@ -274,11 +274,12 @@ def _each(
 
 def _under(case: Case, loads: Mapping[str, float]) -> dict[str, float]:
     """Solve a case under loads of a member's own."""
-    if case.system is not None:
-        x, y = case.system.force
+    if case.several_lines:
+        system = case.own_system
+        x, y = system.force
         force = (loads.get("system.force[0]", x), loads.get("system.force[1]", y))
-        moment = loads.get("system.moment", case.system.moment)
-        case = replace(case, system=replace(case.system, force=force, moment=moment))
+        moment = loads.get("system.moment", system.moment)
+        case = replace(case, system=replace(system, force=force, moment=moment))
     elif loads:
         (name, value), *_ = loads.items()
         case = replace(case, load=Load(**{name.removeprefix("load."): value}))
@@ -290,7 +291,7 @@ def one_at_rest(case: Case) -> dict[str, float]:
 
     Raises what they raise.
     """
-    if case.system is None:
+    if not case.several_lines:
         solution = solve_case(case)
         return {**_of_ends([solution]), "span": solution.span}
     body = report_system(case).solution

@@ -423,8 +423,8 @@ def _no_load_cases(wanted: str, names: str = "") -> InputError:
 
 
 def _verified(name: str, case: Case, elements: int, tolerance: float) -> StaticComparison:
-    if case.system is not None:
-        part = verify_system(case.system, elements=elements, tolerance=tolerance, name=name)
+    if case.several_lines:
+        part = verify_system(case.own_system, elements=elements, tolerance=tolerance, name=name)
     else:
         case = as_found(case)
         closed = solve_case(case)

@@ -204,8 +204,7 @@ class LinesOfABody:
     @classmethod
     def at_rest(cls, drive: Excitation) -> LinesOfABody:
         """Solve the body under its mean force in closed form; a constant drift comes on top."""
-        system = drive.case.system
-        assert system is not None
+        system = drive.one.own_system
         at = solve_system(system).position
         legs, height = truss_legs(system, at.yaw)
         motion = drive.case.motion
@@ -223,8 +222,7 @@ class LinesOfABody:
         self, sea: Sea, stepping: TimeStepping, elements: int, progress: PartDone
     ) -> tuple[History, Array | None]:
         """Run all lines; one-way where the body is led: they do not act on it."""
-        system, body = self.drive.case.system, self.drive.case.body
-        assert system is not None
+        system, body = self.drive.one.own_system, self.drive.case.body
         is_led = body is None
         meshes = [mesh_line(leg.line, elements) for leg in self.legs]
         history = run_system_dynamics(
@@ -262,8 +260,7 @@ class LinesOfABody:
 
     def remarks(self) -> Iterator[str]:
         """Yield how the body moves, and what of it is held."""
-        body, system = self.drive.case.body, self.drive.case.system
-        assert system is not None
+        body, system = self.drive.case.body, self.drive.one.own_system
         if body is None:
             yield Message("motion.led")
             if self.drive.case.current is not None:
@@ -430,8 +427,8 @@ class LinesOfAFloater:
     def legs(self) -> Sequence[Leg]:
         """The line, from its anchor at x = y = 0; or those of the system."""
         case = self.drive.one
-        if case.system is not None:
-            return truss_legs(case.system, 0.0)[0]
+        if case.several_lines:
+            return truss_legs(case.own_system, 0.0)[0]
         return (Leg(case.line, (0.0, 0.0, case.anchor_height)),)
 
     def driven_by(self, sea: Sea) -> list[Series]:  # noqa: ARG002 - as of the others
@@ -491,7 +488,7 @@ def lines_at_rest(drive: Excitation) -> LinesAtRest:
         return LinesOfPoints.at_rest(drive)
     if drive.case.floater is not None:
         return LinesOfAFloater.at_rest(drive)
-    return (OneLine if drive.case.system is None else LinesOfABody).at_rest(drive)
+    return (LinesOfABody if drive.case.several_lines else OneLine).at_rest(drive)
 
 
 def quasi_static(leg: Leg, history: History, seabed_friction: float) -> Array:

@@ -401,6 +401,17 @@ class DynamicPart(Record):
         return max(run.maxima["largest_tension"] for run in self.runs)
 
     @property
+    def at_ends(self) -> tuple[OverRuns, ...]:
+        """Tension at the fairlead, of a line between points at either end."""
+        ends = ("fairlead_tension", "anchor_tension")[: 2 if self.between else 1]
+        return tuple(map(self.of, ends))
+
+    @property
+    def pull(self) -> float:
+        """Tension by which the part is compared with others, N: of a line between points any."""
+        return self.max_tension if self.between else self.of("fairlead_tension").maximum
+
+    @property
     def slack_time(self) -> Duration:
         """Time in all that a bar of the line had no tension in one run, after the ramp, s."""
         return max(run.slack_time for run in self.runs)
@@ -542,13 +553,8 @@ class DynamicVerification(Displayable, Record):
 
     @property
     def governing(self) -> DynamicPart:
-        """The part with the largest tension at the fairlead; of those alike the first.
-
-        Of lines between points at either end.
-        """
-        if isinstance(self.case, Network):
-            return largest(self.parts, lambda part: part.max_tension)
-        return largest(self.parts, lambda part: part.of("fairlead_tension").maximum)
+        """The part of the largest tension by which they compare; of those alike the first."""
+        return largest(self.parts, lambda part: part.pull)
 
     @property
     def beyond_MBL(self) -> tuple[DynamicPart, ...]:
@@ -565,9 +571,9 @@ class DynamicVerification(Displayable, Record):
     @cached_property
     def joints(self) -> tuple[JointInMotion, ...]:
         """Of points and lines: where joints were in all runs, after the ramp."""
-        if not isinstance(self.case, Network):
+        names, runs = [joint.name for _, joint in self.case.keyed_joints], self.parts[0].runs
+        if not names:
             return ()
-        names, runs = [p.name for p in self.case.points if p.kind == "joint"], self.parts[0].runs
         places = np.concatenate([run.history.nodes[run.counted] for run in runs])
         rest = runs[0].history.nodes[0]
         ways = np.linalg.norm(places - rest, axis=2).max(axis=0)

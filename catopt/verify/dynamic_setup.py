@@ -148,7 +148,7 @@ class Excitation:
             remarks.append(Message("motion.recorded_waves", **known))
             if record.is_resampled:
                 remarks.append(Message("motion.resampled", step=record.step))
-        for line in lines_of(self.case):
+        for line in self.case.every_line:
             for at, segment in enumerate(line.segments, start=1):
                 if segment.drag_method == "roughness":  # it is not verified
                     section = section_of(segment)
@@ -261,7 +261,7 @@ class Excitation:
     def properties(self) -> LineProperties:
         """What the line needs beside its segments' weight and stiffness; of lines the first one."""
         site, dynamics = self.case.site, self.dynamics
-        first, *_ = lines_of(self.case)
+        first, *_ = self.case.every_line
         return LineProperties(
             sections=[section_of(segment) for segment in first.segments],
             damping=LineDamping(
@@ -283,13 +283,6 @@ class Excitation:
         if sea.waves is not None:
             periods.append(2.0 * math.pi / _fast_frequency(sea.waves))
         return min(periods)
-
-
-def lines_of(case: Case | Network) -> tuple[Line, ...]:
-    """Lines of a case as they are given: of points each, else the one that all are like."""
-    if isinstance(case, Network):
-        return tuple(each.line for each in case.lines)
-    return (case.line,)
 
 
 def read_drive(case: Case | Network) -> Excitation:
@@ -335,7 +328,7 @@ def _with_motion(case: Case | Network, duration: float) -> Excitation:
         return Excitation(case, record=read_motion(given.file, duration))
     if not given.rao_file:
         return Excitation(case, drift=drift)
-    if case.system is not None:
+    if case.several_lines:
         return Excitation(case, vessel=read_vessel_raos(given), drift=drift)
     return Excitation(case, raos=read_raos(given.rao_file))
 
@@ -367,12 +360,12 @@ def check_for_motion(case: Case | Network) -> None:
     elif case.dynamics.judged_by != "largest" and not Excitation(case).is_random:
         allowed = Message("refused_motion.judged_by_wants_a_random_sea")
         problems.append(Problem("dynamics.judged_by", f'"{case.dynamics.judged_by}"', allowed))
-    for number, line in enumerate(lines_of(case)):
-        problems += _of_line(f"lines[{number}]" if isinstance(case, Network) else "line", line)
-    for index, point in enumerate(case.points if isinstance(case, Network) else ()):
-        if point.submerged_weight and point.mass is None:
+    for key, line in dict.fromkeys(case.keyed_lines):
+        problems += _of_line(key, line)
+    for key, joint in case.keyed_joints:
+        if joint.submerged_weight and joint.mass is None:
             allowed = Message("refused_motion.missing_line_motion_needs")
-            problems.append(Problem(f"points[{index}].mass", "", allowed))
+            problems.append(Problem(f"{key}.mass", "", allowed))
     if problems:
         raise InputError(problems, "--dynamic")
 

@@ -40,17 +40,17 @@ def hull_of(case: Case) -> SteppedHull:
 
 def _buoy(case: Case) -> FloatingHull:
     """Make that of a buoy: its eyes are at the height of its own, off its axis by the fairleads."""
-    of, site, system = case.floater, case.site, case.system
+    of, site = case.floater, case.site
     assert of is not None
     pull = 0.0
     for line in case.every_line:
         heavy = sum(each.submerged_weight * each.length for each in line.segments)
         pull += heavy / line.length * min(site.water_depth, line.length)
     hull = buoy_hull(of, site.water_depth, site.water_density, pull)
-    if system is None:
+    if not case.several_lines:
         return hull
     ((*_, height),) = hull.eyes
-    return replace(hull, eyes=tuple((*leg.fairlead, height) for leg in system.legs))
+    return replace(hull, eyes=tuple((*leg.fairlead, height) for leg in case.own_system.legs))
 
 
 def _of_buoy(drive: Excitation, hull: FloatingHull, legs: Sequence[Leg]) -> Iterator[Message]:
@@ -74,18 +74,17 @@ def _of_buoy(drive: Excitation, hull: FloatingHull, legs: Sequence[Leg]) -> Iter
         if shape.widest > _SMALL * length:
             yield Message("floater.wide", width=shape.widest, length=length)
     yield Message("floater.linear_radiation")
-    if case.system is not None and any(case.system.force):
-        given = math.hypot(*case.system.force) / 1e3
+    if any(case.own_force):
+        given = math.hypot(*case.own_force) / 1e3
         yield Message("floater.own_force_of_buoy", given=given)
 
 
 def _by_files(case: Case) -> HullOfCoefficients:
     """Make that of a panel program's files: its eyes are the fairleads themselves."""
-    of, site, system = case.floater, case.site, case.system
+    of, site = case.floater, case.site
     assert of is not None
     assert of.hull is not None
-    assert system is not None
-    return hull_of_files(of.hull, system, site.water_depth, site.water_density)
+    return hull_of_files(of.hull, case.own_system, site.water_depth, site.water_density)
 
 
 def _of_files(drive: Excitation, hull: HullOfCoefficients, _: Sequence[Leg]) -> Iterator[Message]:

@@ -105,7 +105,7 @@ def linear_lines(case: Case) -> tuple[LinearLine, ...]:
     moved = np.sqrt(0.5 * (np.abs(found.motion) ** 2).sum(axis=0)).tolist()
     return tuple(
         LinearLine(
-            None if case.system is None else k + 1,
+            k + 1 if case.several_lines else None,
             float(found.mean[last]),
             float(deviation[last]),
             float(period[last]),

@@ -286,9 +286,8 @@ def remarks_of(case: Case, moored: MooredShip, sea: Sea, rest: ShipAtRest) -> It
     yield from _of_waves(moored, waves)
     yield Message("floater.quasi_static_lines")
     yield from _of_slow_motion(moored.ship)
-    assert case.system is not None
-    if any(case.system.force):
-        given = math.hypot(*case.system.force)
+    if any(case.own_system.force):
+        given = math.hypot(*case.own_system.force)
         yield Message("floater.own_force", given=given / 1e3, own=math.hypot(*rest.force) / 1e3)
 
 
@@ -400,9 +399,8 @@ def led_case(found: ShipVerification) -> Case:
     load is that of the weather, its waves are the same. The slow yaw is not in it.
     """
     case, rest = found.case, found.rest
-    assert case.system is not None
     assert case.dynamics is not None
-    moment = float(np.sum(rest.parts, axis=0)[2]) if case.system.turns else 0.0
+    moment = float(np.sum(rest.parts, axis=0)[2]) if case.own_system.turns else 0.0
     _, reference, crest = found.moored.raos
     motion = Motion(
         rao_file=RAOS,
@@ -417,7 +415,7 @@ def led_case(found: ShipVerification) -> Case:
     ramp = case.dynamics.ramp if case.dynamics.ramp and case.dynamics.ramp < duration else None
     return replace(
         case,
-        system=replace(case.system, force=rest.force, moment=moment),
+        system=replace(case.own_system, force=rest.force, moment=moment),
         floater=None,
         motion=motion,
         dynamics=replace(case.dynamics, duration=duration, ramp=ramp, runs=1),

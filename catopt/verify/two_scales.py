@@ -153,7 +153,7 @@ def verify_ship(
     lines = tuple(_lines(moored, range(1, len(legs) + 1), histories, dynamics))
     lost = tuple(_without(moored, drive, number, tell) for number in missing)
     transient = _as_a_line_parts(moored, drive, histories, start)
-    asked = case.system is not None and case.system.judged_line_out
+    asked = case.own_system.judged_line_out
     remarks: tuple[Message, ...] = (
         swing.words,
         *governing_words(lines, dynamics),
@@ -427,10 +427,10 @@ def _losses(moored: MooredShip, rest: ShipAtRest) -> tuple[tuple[int, ...], tupl
 
 def _line_out_criteria(case: Case) -> tuple[Criterion, ...]:
     """List the criteria for one line out; none where the case does not ask for it."""
-    assert case.system is not None
-    if len(case.system.legs) == 1 or not case.system.judged_line_out:
+    system = case.own_system
+    if len(system.legs) == 1 or not system.judged_line_out:
         return ()
-    return for_line_out(_criteria(case), len(case.system.legs))
+    return for_line_out(_criteria(case), len(system.legs))
 
 
 def _of_losses(lost: tuple[ShipWithoutLine, ...], needless: tuple[int, ...]) -> Iterator[Message]:
@@ -461,17 +461,18 @@ def moored_ship(
     on_lines: Callable[..., MooredShip] = MooredShip,
 ) -> tuple[MooredShip, Excitation]:
     """Make the ship of a case on its lines, and what drives it; as `verify_ship`."""
-    if case.floater is None or case.floater.ship is None or case.system is None:
+    if case.floater is None or case.floater.ship is None or not case.several_lines:
         allowed = Message("refused_case.ship_wanted")
         raise refused("floater.ship", "", allowed, "--dynamic")
     floater, of, current = case.floater, case.floater.ship, case.current
+    system = case.own_system
     if current is not None and current.series_file:
         allowed = Message("refused_case.ship_steady_current")
         problem = Problem("current.series_file", current.series_file, allowed)
         raise InputError([problem], "--dynamic")
     drive = read_drive(case)
     if ship is not None and drive.vessel is None:
-        return on_lines(case.system, ship), drive
+        return on_lines(system, ship), drive
     depth, flow = case.site.water_depth, (0.0, 0.0)
     if current is not None and of.draught < depth:
         at = current.flow(depth)
@@ -484,8 +485,8 @@ def moored_ship(
     ship.ship  # noqa: B018 - refuses what no hull can be
     vessel = drive.vessel
     if vessel is None:
-        return on_lines(case.system, ship), drive
-    return on_lines(case.system, ship, vessel.coefficients, vessel.reference, vessel.crest), drive
+        return on_lines(system, ship), drive
+    return on_lines(system, ship, vessel.coefficients, vessel.reference, vessel.crest), drive
 
 
 def _criteria(case: Case) -> Criteria:
@@ -526,8 +527,7 @@ def check_hanging(
     With all there, unless none hang, and by the factors for one line out with each that was lost,
     or by the transient ones with one that parts.
     """
-    assert case.system is not None
-    legs, criteria, damaged = case.system.legs, _criteria(case), _line_out_criteria(case)
+    legs, criteria, damaged = case.own_system.legs, _criteria(case), _line_out_criteria(case)
     results: list[CheckResult] = []
     reported: list[str] = []
     states = {*checked_states(damaged), *("transient" for each in lost if each.parted)}

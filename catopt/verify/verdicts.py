@@ -49,8 +49,8 @@ def solutions_at_rest(
         return at_rest(case).lines
     if case.site.seabed_slope != 0.0:
         return [None] * len(parts)
-    if case.system is not None:
-        return [each.solution for each in solve_system(case.system).lines]
+    if case.several_lines:
+        return [each.solution for each in solve_system(case.own_system).lines]
     return [solve_case(part.drive.one) for part in parts]
 
 
@@ -233,15 +233,17 @@ def _turned(
 def with_verdicts(case: Case | Network, parts: Sequence[DynamicPart]) -> list[DynamicPart]:
     """Say of every part what turns out otherwise in runs again, is beyond its MBL, and governs."""
     moved = list(zip(parts, solutions_at_rest(case, parts), strict=True))
-    together = [moved] if case.several_lines else [[each] for each in moved]
+    together: dict[str, list[tuple[DynamicPart, Solution | None]]] = {}
+    for pair in moved:
+        together.setdefault(pair[0].name, []).append(pair)
     judged = []
-    for lines in together:
+    for lines in together.values():
         turned = _turned(case, lines)
         for part, _ in lines:
             own = (each.name for each in turned if each.place.line in (None, part.line))
             undecided = tuple(dict.fromkeys(own))
             judged.append(replace(part, undecided=undecided, beyond_MBL=beyond_MBL(part)))
-    if len(judged) < 2 or not case.several_lines:
+    if len(judged) == len(together):
         return judged
     used = [part.max_tension / (part.MBL or 1.0) for part in judged]
     if any(part.MBL is None for part in judged):
