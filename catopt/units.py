@@ -73,6 +73,39 @@ def _of_digits(digits: str, *, has_power: bool) -> tuple[str, ...]:
     return (decimal, whole + rest) if has_two else (decimal,)
 
 
+_LIKE: Final[Mapping[str, tuple[str, ...]]] = {
+    "m": ("ft", "fathom"),
+    "mm": ("cm", "in"),
+    "km": ("m", "nmi"),
+    "kN": ("tf", "kgf", "N", "kip"),
+    "MN": ("kN", "tf"),
+    "N/m": ("kN/m", "kgf/m"),
+    "t": ("kg", "lb"),
+    "kg/m": ("lb/ft",),
+    "kg/m^3": ("t/m^3",),
+    "m/s": ("knots", "km/h"),
+    "mm/year": ("in/year",),
+    "s": ("min",),
+    "min": ("s", "h"),
+    "h": ("min",),
+    "deg": ("rad",),
+    "m^2": ("ft^2",),
+}
+
+
+def units_like(unit: str) -> tuple[str, ...]:
+    """List a unit with those that are written in its place, of quantities of the same size.
+
+    A diameter in mm is written in inches, not in fathoms; wear not in knots.
+
+    Examples
+    --------
+    >>> units_like("mm"), units_like("years")
+    (('mm', 'cm', 'in'), ('years',))
+    """
+    return (unit, *_LIKE.get(unit, ()))
+
+
 def bare_number(text: str) -> float | str:
     """Return the number of a text that is one without a unit; else, or if it has two, the text.
 

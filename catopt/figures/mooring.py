@@ -485,12 +485,26 @@ def network_side(rest: LinesAtRest, loaded: int) -> Chart:
         Axis("xy"[k], _LENGTH, left - 40.0 * unit, right + 40.0 * unit),
         axis("z", (-24.0 * unit, top + 30.0 * unit), within=(0.0, top)),
         series=tuple(lines),
-        marks=(*_network_points(rest, places), *numbered(beside, loaded)),
+        marks=(*_network_points(rest, places), *_joined(numbered(beside, loaded), unit)),
         levels=surface_and_bed(depth),
         areas=water(depth, 16.0 * unit),
         points=tuple(_said(rest, lambda x, y, z: ((x, y)[k], z))),
         to_scale=1.0,
     )
+
+
+def _joined(numbers: Iterable[Mark], unit: float) -> list[Mark]:
+    """Put numbers that would stand on each other, of lines behind each other, into one: "2, 4"."""
+    found: list[Mark] = []
+    for mark in numbers:
+        for k, other in enumerate(found):
+            if abs(mark.x - other.x) < 20.0 * unit and abs(mark.y - other.y) < 16.0 * unit:
+                role = max(mark.role, other.role, key=lambda name: name == "most-loaded")
+                found[k] = other._replace(role=role, words=f"{other.words}, {mark.words}")
+                break
+        else:
+            found.append(mark)
+    return found
 
 
 def _network_ends(rest: LinesAtRest) -> Iterator[tuple[Vector, Vector]]:

@@ -34,6 +34,7 @@ from catopt.page_api.fields import (
     can_run,
     door_of,
     fields_of,
+    refuse_other,
     text_of,
     values_of,
 )
@@ -161,7 +162,11 @@ def ask(call: str, question: Question) -> Reply:
         }
     except CatoptError as error:  # its words are the command's
         problems = [
-            {"key": each.key, "found": each.found, "allowed": say(each.allowed, language)}
+            {
+                "key": each.key,
+                "found": say(each.found, language),
+                "allowed": say(each.allowed, language),
+            }
             for each in (error.problems if isinstance(error, InputError) else ())
         ]
         message = "" if problems else say(error.message, language)
@@ -241,7 +246,11 @@ def _ran(text: str) -> bool:
 
 
 def _door(text: str) -> Door:
-    return door_of(parse_toml(text, ""))
+    try:
+        return door_of(parse_toml(text, ""))
+    except InputError:
+        refuse_other(text)
+        raise
 
 
 # ------------------------------------------------------------------ the commands' documents

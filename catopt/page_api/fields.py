@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import cache
@@ -16,7 +17,7 @@ from catopt.documents import parse_toml
 from catopt.errors import refused
 from catopt.sizing.inputs import INPUTS, Input, rows_of
 from catopt.sizing.kinds import choices_of
-from catopt.units import bare_number
+from catopt.units import bare_number, units_like
 from catopt.words import Message, term
 
 Door = Literal["line", "body", "buoy", "tanker"]
@@ -87,18 +88,6 @@ _FIRST: Final[dict[Door, tuple[str, ...]]] = {
     "tanker": ("ship.deadweight", *_PLACE),
 }
 """What is asked for at once of a sizing."""
-_UNITS: Final = {
-    "LENGTH": ("m", "ft", "fathom", "mm"),
-    "SPEED": ("m/s", "knots", "km/h"),
-    "MASS": ("t", "kg", "lb"),
-    "FORCE": ("kN", "tf", "kgf", "kip"),
-    "TIME": ("s", "min", "years"),
-}
-"""Units that are offered for a dimension; any other may be written."""
-_OF_KEY: Final = {
-    **dict.fromkeys(("water_depth", "length", "anchor_radius", "fairlead_radius"), "LENGTH"),
-    "horizontal_force": "FORCE",
-}
 _LINE: Final = {
     "title": "text",
     "site.water_depth": "first slides",
@@ -178,18 +167,25 @@ def _fields(door: Door, runs: bool) -> tuple[Field, ...]:
 
 
 def _of_case(key: str, how: str) -> Field:
+    begins = next((values[key] for values in START.values() if key in values), "")
     return Field(
         key,
         Message("inputs.title" if key == "title" else f"desk.{key}"),
         _such_as(_EXAMPLES.get(key, "")),
         _EXAMPLES.get(key, ""),
-        _UNITS.get(_OF_KEY.get(key.rpartition(".")[2], ""), ()),
+        () if how == "text" else _units(begins or _EXAMPLES.get(key, "")),
         component_names() if key.endswith("component") else (),
         "first" in how,
         "slides" in how,
         "several" in how,
         how == "text",
     )
+
+
+def _units(example: str) -> tuple[str, ...]:
+    """List the units that are offered beside a value: that of its example, or of its first one."""
+    number, _, unit = example.partition(";")[0].strip().partition(" ")
+    return units_like(unit) if unit and not isinstance(bare_number(number), str) else ()
 
 
 def _such_as(example: str) -> str:
@@ -209,12 +205,39 @@ def _of_input(each: Input, door: Door) -> Field:
         Message(f"inputs.{each.name}"),
         hint,
         each.default or example,
-        _UNITS.get(each.takes, ()),
+        _units(example) if each.is_measure else (),
         choices_of(each),
         each.key in _FIRST[door],
         several=each.several,
         is_text=each.takes in ("TEXT", "NAME", "WHICH"),
     )
+
+
+_OTHERS: Final = (
+    ("workbook", re.compile(r"PK\x03\x04")),
+    ("picture", re.compile(r"(?is).PNG|GIF8|.{0,24}(JFIF|Exif)|RIFF.{4,9}WEBP|\s*<svg")),
+    ("pdf", re.compile(r"%PDF")),
+    ("note", re.compile(r"(?i)\s*<(!doctype )?html")),
+    ("deck", re.compile(r"(?m)^(%YAML|-{3}|\s*-{3,}.*[A-Z]{4}|\w+:(\s|$))")),
+    ("no_text", re.compile("[\0\ufffd]")),
+)
+"""What else is opened, by how it begins or, of the last two, by what stands in it."""
+
+
+_OF_TOML: Final = re.compile(r"(?m)^\w[\w.]* *= *\S|^\[")
+
+
+def refuse_other(text: str) -> None:
+    """Raise InputError for a file that is no case, with what it is and what to do with it.
+
+    A case with a mistake in it is none of these.
+    """
+    if _OF_TOML.search(text) and "\0" not in text:
+        return
+    for name, pattern in _OTHERS:
+        found = (pattern.search if name in ("deck", "no_text") else pattern.match)(text)
+        if found:
+            raise refused("file", Message(f"desk.is_{name}"), Message(f"desk.with_{name}"))
 
 
 def door_of(document: Mapping[str, Any]) -> Door:

@@ -12,7 +12,6 @@ from difflib import get_close_matches
 from functools import partial
 from io import BytesIO
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any, Final
 
 from catopt.casefile.reading import Moored
@@ -22,22 +21,9 @@ from catopt.sizing.file import SizingFile, file_of
 from catopt.sizing.inputs import Input, inputs_of
 from catopt.sizing.kinds import choices_of
 from catopt.tables import FLAGS, few, heading
-from catopt.units import Dimension, as_written, bare_number, readings
+from catopt.units import Dimension, as_written, bare_number, readings, units_like
 from catopt.words import Language, Message, say
 
-UNITS: Final[Mapping[str, tuple[str, ...]]] = MappingProxyType(
-    {
-        "LENGTH": ("m", "mm", "cm", "km", "ft"),
-        "FORCE": ("kN", "N", "tf", "kgf", "MN"),
-        "MASS": ("t", "kg"),
-        "SPEED": ("m/s", "km/hour", "knot"),
-        "TIME": ("s", "min", "hour", "year"),
-        "AREA": ("m^2", "cm^2"),
-        "ANGLE": ("deg", "rad"),
-        "DENSITY": ("kg/m^3",),
-    }
-)
-"""What may be chosen as the unit of an input; the one of its example comes first."""
 ENDING: Final = ".xlsx"
 MOST_ROWS: Final = 1_000
 _FORM, _FLEET, _FIRST = "Form", "Fleet", 4
@@ -278,7 +264,7 @@ def _units(each: Input) -> tuple[str, ...]:
     if not each.is_measure or Dimension[each.takes] is Dimension.NUMBER:
         return ()
     own = str(each.one_example).partition(" ")[2] or each.bare or Dimension[each.takes].si_unit
-    return tuple(dict.fromkeys((own, *UNITS.get(each.takes, ()))))
+    return units_like(own)
 
 
 def _hint(each: Input, language: Language) -> str:

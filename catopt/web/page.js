@@ -78,15 +78,18 @@ const read = () => {
 const unitOf = (field) => {
   const menu = field.parentElement.querySelector("select");
   if (!menu) return;
-  const [, unit] = /^[-+\d.,\s]*(.*)$/.exec(field.value || "") ?? [];
+  const [, unit] = /^[-+\d.,\s]*(.*)$/.exec(field.value.split(";")[0]) ?? [];
   if (unit && ![...menu.options].some((each) => each.value === unit)) menu.add(new Option(unit, unit));
   if (unit) menu.value = unit;
 };
 
 const setUnit = (menu) => {
   const field = document.getElementById(menu.dataset.unitOf);
-  const [number] = /^\s*[-+\d.,]+/.exec(field.value) ?? [];
-  if (number) field.value = `${number.trim()} ${menu.value}`;
+  const inIt = (value) => {
+    const [number] = /^\s*[-+\d.,]+/.exec(value) ?? [];
+    return number ? `${number.trim()} ${menu.value}` : value.trim();
+  };
+  field.value = field.value.split(";").map(inIt).join("; ");
 };
 
 const fill = (values) => {

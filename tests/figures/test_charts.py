@@ -22,9 +22,19 @@ from catopt.figures.line import (
     tension_along,
     touchdowns,
 )
-from catopt.figures.mooring import near, plan, restoring, spread, watch_round, watch_track
+from catopt.figures.mooring import (
+    near,
+    network_side,
+    plan,
+    restoring,
+    spread,
+    watch_round,
+    watch_track,
+)
 from catopt.figures.swarm import fitness
 from catopt.model import Case, Checks, Line, Load, Segment, Site
+from catopt.model.network import LineBetween, Network, Point
+from catopt.mooring.fixed_body import at_rest
 from catopt.quantities import QUANTITIES
 from catopt.render.svg import LOOKS
 from catopt.words import Message
@@ -282,3 +292,17 @@ def test_a_check_that_fails_is_marked_where_it_fails() -> None:
     # Both ends: the tension is largest, and the span measured, at the fairlead.
     assert marks == {(0.0, 0.0), (round(solution.span, 9), 20.0)}
     assert not [each for each in line_in_water(solution, 20.0).marks if each.role == "failing"]
+
+
+def test_numbers_of_lines_behind_each_other_are_one_mark() -> None:
+    """Four equal legs at 45 degrees: from the side two and two lie behind each other."""
+    chain = Line([Segment(80.0, 300.0)])
+    points = [Point("body", "fairlead", 0.0, 0.0, 20.0)]
+    points += [
+        Point(f"anchor {k}", "anchor", 45.0 * x, 45.0 * y)
+        for k, (x, y) in enumerate(((1, 1), (-1, 1), (-1, -1), (1, -1)))
+    ]
+    lines = tuple(LineBetween(chain, f"anchor {k}", "body") for k in range(4))
+    drawn = network_side(at_rest(Network(Site(20.0), tuple(points), lines)), 2)
+    numbers = {mark.words: mark.role for mark in drawn.marks if mark.words}
+    assert numbers == {"1, 4": "number", "2, 3": "most-loaded"}

@@ -12,9 +12,11 @@ import pytest
 from catopt.answers.blocks import Answer, Table
 from catopt.answers.of_result import comparison
 from catopt.casefile import template
+from catopt.errors import InputError
 from catopt.page_api import ask, shell
 from catopt.page_api.fields import DOORS, START, Door, fields_of, text_of, values_of
 from catopt.sizing.inputs import rows_of
+from catopt.units import Dimension, to_si
 from catopt.words import LANGUAGES, Language, Message, say
 from tests.cli.conftest import CASES, Run, run
 from tests.report.page_reader import read_page
@@ -48,6 +50,62 @@ def test_lines_between_points_are_told_where_they_are_solved(call: str) -> None:
     (problem,) = ask(call, {"text": template("points")})["problems"]
     assert (problem["key"], problem["found"]) == ("points", "[[points]]")
     assert "catopt system case.toml" in problem["allowed"]
+
+
+@pytest.mark.parametrize(
+    ("text", "found", "way"),
+    [
+        ("PK\x03\x04\x14\0", "an Excel workbook", "catopt size FILE.xlsx"),
+        ("\ufffdPNG\r\n\x1a\n\0", "a picture", "type them into the form"),
+        ("\ufffd\ufffd\ufffd\ufffd\0\x10JFIF\0", "a picture", "type them into the form"),
+        ('<svg xmlns="x"/>', "a picture", "type them into the form"),
+        ("%PDF-1.4\n", "a PDF document", "copy that into a .toml file"),
+        ("<!DOCTYPE html>\n<p>", "a web page", "copy that into a .toml file"),
+        ("one leg\n--- LINE TYPES ---\n", "an input file of another program", "catopt import"),
+        ("%YAML 1.1\n---\n", "an input file of another program", "catopt import"),
+        ("site:\n  general:\n", "an input file of another program", "catopt import"),
+        ("\0\ufffd\x01", "a file that is not text", "UTF-8"),
+    ],
+)
+def test_what_is_no_case_is_told_with_the_way_out(text: str, found: str, way: str) -> None:
+    (problem,) = ask("open", {"text": text})["problems"]
+    assert (problem["key"], problem["found"]) == ("file", found)
+    assert way in problem["allowed"]
+    (told,) = ask("open", {"text": text, "lang": "vi"})["problems"]
+    assert told["found"] != found
+
+
+def test_a_mistake_in_a_case_is_told_by_its_line() -> None:
+    (problem,) = ask("open", {"text": "[site]\nwater_depth: 12\n"})["problems"]
+    assert problem["key"] == "line 2, column 12"
+    assert "not a colon" in problem["allowed"]
+
+
+@pytest.mark.parametrize("door", DOORS)
+def test_every_unit_that_is_offered_fits_its_quantity(door: Door) -> None:
+    """Each is read as the quantity of the first, and is worth no more than 2,000 of it, or less."""
+    for field in fields_of(door):
+        dimensions = [d for d in Dimension if all(_is_read(unit, d) for unit in field.units)]
+        assert dimensions, field.key
+        worth = [to_si(f"1 {unit}", dimensions[0]) for unit in field.units]
+        assert all(1.0 / 2300.0 < each / worth[0] < 2300.0 for each in worth), field.key
+    units = {each.key.rpartition(".")[2]: each.units for each in fields_of(door)}
+    assert units["water_depth"] == ("m", "ft", "fathom")
+    if door == "buoy":
+        assert units["diameter_min"] == ("mm", "cm", "in")
+        assert "knots" in units["wind"]
+        assert "knots" not in units["wear_rate"]
+        assert units["return_period"] == ("years",)
+    if door == "line":
+        assert units["diameter"] == ("mm", "cm", "in")
+        assert units["title"] == ()
+
+
+def _is_read(unit: str, dimension: Dimension) -> bool:
+    try:
+        return to_si(f"1 {unit}", dimension) > 0.0
+    except InputError:
+        return False
 
 
 def test_a_form_is_the_file_that_says_the_same() -> None:

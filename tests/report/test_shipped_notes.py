@@ -45,15 +45,7 @@ def clashes(tab: Tab) -> list[object]:
     ]
 
 
-BEHIND = pytest.mark.xfail(reason="two lines lie behind each other from the side", strict=False)
-"""The numbers of the raft's lines stand on each other there: to be mended in the drawing."""
-
-
-@pytest.mark.parametrize(
-    "path",
-    [pytest.param(e, marks=BEHIND) if named(e) == "raft-four-lines" else e for e in NOTES],
-    ids=named,
-)
+@pytest.mark.parametrize("path", NOTES, ids=named)
 def test_labels_stand_apart_on_screen_and_paper(tab: Tab, path: Path) -> None:
     tab.open(path, 1200)
     assert clashes(tab) == []

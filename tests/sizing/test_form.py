@@ -17,7 +17,7 @@ import pytest
 
 from catopt.casefile.reading import Moored
 from catopt.errors import InputError
-from catopt.sizing.form import UNITS, form, read_form
+from catopt.sizing.form import form, read_form
 from catopt.sizing.inputs import inputs_of
 from catopt.units import Dimension, to_si
 
@@ -48,8 +48,13 @@ def test_every_input_has_its_row_and_every_unit_offered_is_read(moored: Moored) 
     sheet = openpyxl.load_workbook(BytesIO(form(moored, "vi")))["Form"]
     keys = [f"{row[4]}" for row in sheet.iter_rows(min_row=4, values_only=True)]
     assert sorted(keys) == sorted({each.key for each in inputs_of(moored).values()})
-    for name, units in UNITS.items():
-        assert all(to_si(f"1 {unit}", Dimension[name]) > 0.0 for unit in units)
+    named = {each.key: each for each in inputs_of(moored).values()}
+    offered = {f"{rule.sqref}": rule.formula1 for rule in sheet.data_validations.dataValidation}
+    for row, key in enumerate(keys, start=4):
+        units = offered.get(f"C{row}", '""').strip('"').split(",")
+        assert all(to_si(f"1 {e}", Dimension[named[key].takes]) > 0.0 for e in units if e)
+    assert "knots" in offered[f"C{4 + keys.index('environment.wind')}"]
+    assert offered[f"C{4 + keys.index('line.diameter_min')}"] == '"mm,cm,in"'
 
 
 def test_what_is_filled_in_is_what_a_file_would_say(tmp_path: Path) -> None:

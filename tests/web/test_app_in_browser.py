@@ -90,6 +90,28 @@ def test_every_button_but_the_run_gives_what_it_says(tab: Tab, door: str) -> Non
     assert tab.messages == []
 
 
+def test_a_unit_is_that_of_every_value_and_assumptions_open_by_keyboard(tab: Tab) -> None:
+    choose(tab, "door", "buoy")
+    field = "document.getElementById('buoy-motion.peak_periods')"
+    menu = "document.querySelector('[data-unit-of=\"buoy-motion.peak_periods\"]')"
+    tab.value(f"{field}.closest('details').open = true")
+    tab.value(f"{field}.value = '6 s; 8 s'; {menu}.value = 'min'")
+    tab.value(f"{menu}.dispatchEvent(new Event('change', {{ bubbles: true }}))")
+    assert tab.value(f"{field}.value") == "6 min; 8 min"
+    tab.value(
+        f"{field}.value = ''; {field}.dispatchEvent(new Event('change', {{ bubbles: true }}))"
+    )
+    wait(tab)
+    brief = "document.querySelector('.card .brief')"
+    clamp = f"getComputedStyle({brief}).webkitLineClamp"
+    assert tab.value(clamp) in ("1", "2")
+    tab.value(f"{brief}.focus()")
+    assert tab.value(clamp) == "none"
+    tab.value(f"{brief}.blur()")
+    tab.call("Emulation.setEmulatedMedia", media="print")
+    assert tab.value(clamp) == "none"
+
+
 def test_a_run_has_a_bar_is_stopped_and_ends_in_the_verdict_of_the_command(tab: Tab) -> None:
     choose(tab, "door", "tanker")
     before = displayed(tab)
