@@ -43,8 +43,9 @@ def array_in_si(found: Findings, key: str, values: Any, unit: str) -> Array:
     >>> array_in_si(Findings("doc"), "force", [1000.0, "2 kN"], "N")
     array([1000., 2000.])
     """
-    if type(values) is np.ndarray and values.dtype.kind in "iuf":
-        return values.astype(np.float64, copy=False)
+    is_array = type(values) is np.ndarray and values.dtype.kind in "iuf"
+    if is_array or type(values) is float:
+        return np.asarray(values, dtype=np.float64)
     if isinstance(values, str):
         return np.asarray(found.taken(key, values, unit))
     if is_quantity(values):

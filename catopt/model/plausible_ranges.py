@@ -124,6 +124,9 @@ def beyond(part: Plausible) -> Iterator[tuple[str, str, Message]]:
         return
     of: type = type(part)
     for key, known in _ranged(of, part.TABLE):
+        value = getattr(part, key)
+        if value is None or (type(value) is float and known.least <= value <= known.most):
+            continue  # as nearly all are
         if any(not known.least <= each <= known.most for each in _several(part, key)):
             bounds = {"least": known.least, "most": f"{known.most:g}", "name": known.name}
             yield key, known.name, Message("refused_case.implausible", **bounds)
