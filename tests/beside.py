@@ -188,6 +188,10 @@ def _sphere() -> Iterator[Beside]:
 def _oc4() -> Iterator[Beside]:
     with TemporaryDirectory() as folder:
         found = bodies.oc4_frequencies(Path(folder))
+        bare = bodies.oc4_frequencies(Path(folder), moored=False)
+    for key in ("roll", "pitch"):
+        what = f"the same of {key} without the lines' stiffness in roll, pitch and heave (Hz)"
+        yield Beside("NREL's forum 1730", "printed", what, bare[key], bodies.OC4_PRINTED[key])
     for key, theirs in bodies.OC4_PRINTED.items():
         what = f"OC4 DeepCwind, natural frequency of {key} (Hz)"
         yield Beside("NREL's forum 1730", "printed", what, found[key], theirs)
