@@ -119,7 +119,7 @@ PUT_IN: Mapping[str, Mapping[str, tuple[Any, str]]] = {
         ),
         "water_levels": (
             tuple[AtLevel, ...],
-            "Only when asked for: the one free body under its load at other water levels.",
+            "Only when asked for: at other water levels, the one free body under its load.",
         ),
         "restoring_curves": (
             tuple[RestoringCurve, ...],

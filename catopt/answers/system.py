@@ -261,7 +261,9 @@ def _levels(levels: Sequence[AtLevel]) -> Iterator[blocks.Section]:
         columns = (
             of.measured("height", "level", "water_level", symbol=""),
             *_responses(of.read("response")),
-            of.measured("stiffness", lambda each: each.stiffness[0][0], symbol="kxx"),
+            *blocks.if_known(
+                of.measured("stiffness", lambda each: each.stiffness[0][0], symbol="kxx")
+            ),
         )
         yield section(title, blocks.Table("water_levels", columns, title))
 

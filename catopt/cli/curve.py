@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from functools import partial
 from typing import Annotated, Literal
@@ -9,10 +10,11 @@ from typing import Annotated, Literal
 import typer
 
 from catopt.answers.solution import curve_answer
-from catopt.casefile.reading import read_case_or_design
+from catopt.casefile.reading import read_mooring_or_design
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, OutOption
-from catopt.cli.values import in_si, with_known_codes
+from catopt.cli.system import Wanted, answer_mooring
+from catopt.cli.values import for_one_line, in_si, with_known_codes
 from catopt.errors import InputError
 from catopt.units import Dimension
 
@@ -28,22 +30,32 @@ Over = Literal["force", "span", "offset"]
 def curve(
     asked: Asked,
     case: CaseArgument,
-    over: Annotated[Over, typer.Option(metavar="QUANTITY")] = "force",
+    over: Annotated[Over | None, typer.Option(metavar="QUANTITY")] = None,
     start: Annotated[str | None, typer.Option("--from", metavar="VALUE")] = None,
     stop: Annotated[str | None, typer.Option("--to", metavar="VALUE")] = None,
-    points: Annotated[int, typer.Option(metavar="N")] = 50,
+    points: Annotated[int | None, typer.Option(metavar="N")] = None,
 ) -> None:
-    """Compute a line's load curve: its forces over its span."""
+    """Compute a line's load curve: its forces over its span; of a body those that hold it off."""
     from catopt.catenary.case_curve import curve_case
     from catopt.report.bundle import pictures_of
 
     asked.check_place()
-    read = with_known_codes(read_case_or_design(case, None))
+    mooring = read_mooring_or_design(case, None)
+    if mooring.several_lines:
+        for_one_line({"over": over, "from": start, "to": stop, "points": points})
+        along = math.atan2(*mooring.own_force[::-1])
+        answer_mooring(asked, mooring, Wanted(directions=[along]))
+        return
+    read, over = with_known_codes(mooring), over or "force"
     dimension = Dimension.FORCE if over == "force" else Dimension.LENGTH
     limits = in_si({"--from": (start, dimension), "--to": (stop, dimension)})
     try:
         result = curve_case(
-            read, over=over, points=points, start=limits.get("--from"), stop=limits.get("--to")
+            read,
+            over=over,
+            points=50 if points is None else points,
+            start=limits.get("--from"),
+            stop=limits.get("--to"),
         )
     except InputError as error:
         if not all(each.key in _OPTIONS for each in error.problems):

@@ -45,10 +45,7 @@ def solve(
     mooring = read_mooring_or_design(case, design)
     if mooring.several_lines:
         swarm = {"method": "pso"} if method == "pso" else {}
-        others = {"load-case": load_case, "profile": profile or None}
-        of_a_line = swarm | given | values.given_ones(**others)
-        why = Message("refused_command.for_one_line")
-        values.refuse(Problem(f"--{key}", str(each), why) for key, each in of_a_line.items())
+        values.for_one_line(swarm | given | {"load-case": load_case, "profile": profile or None})
         answer_mooring(asked, mooring, Wanted())
         return
     read = values.in_state(values.with_known_codes(mooring), load_case)

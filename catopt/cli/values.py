@@ -31,6 +31,12 @@ def refuse(problems: Iterable[Problem]) -> None:
         raise InputError(every, "options")
 
 
+def for_one_line(given: Mapping[str, object]) -> None:
+    """Refuse options, by their names, that only one line has; None is not given."""
+    why = Message("refused_command.for_one_line")
+    refuse(Problem(f"--{key}", str(each), why) for key, each in given.items() if each is not None)
+
+
 def in_si(given: Mapping[str, tuple[str | None, Dimension]]) -> dict[str, float]:
     """Read options, by their names, in SI: each a bare number or one with a unit, or left out.
 

@@ -447,6 +447,12 @@ class Network(Checked):
         return self
 
     @property
+    def own_force(self) -> tuple[float, float]:
+        """On its bodies together along x and y, N."""
+        x, y = (math.fsum(body.force[k] for body in self.bodies) for k in (0, 1))
+        return x, y
+
+    @property
     def keyed_joints(self) -> tuple[tuple[str, Point], ...]:
         """The points that are free by their keys in the file."""
         keyed = ((f"points[{k}]", point) for k, point in enumerate(self.points))

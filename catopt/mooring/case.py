@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Annotated
 
 from catopt.catenary.case import of_accepted
 from catopt.catenary.solution import above_water, named_line, weighs_as_in_water
@@ -28,7 +29,7 @@ from catopt.mooring.solution import SystemSolution, of_line, solution_at, solve_
 from catopt.mooring.zero_load import zero_load_position
 from catopt.old_names import OldName
 from catopt.progress import paced
-from catopt.records import Record, within
+from catopt.records import OrNull, Record, within
 from catopt.words import Message
 
 FEWEST_LINES = 4
@@ -129,20 +130,20 @@ class AtLevel(Record):
     """Above that of the case."""
     response: Response
     """The body and its lines at that level, from the zero-load position there."""
-    stiffness: tuple[tuple[Stiffness, Stiffness], tuple[Stiffness, Stiffness]]
-    """-d(Fx, Fy)/d(x, y)."""
+    stiffness: Annotated[tuple[tuple[Stiffness, Stiffness], tuple[Stiffness, Stiffness]], OrNull]
+    """-d(Fx, Fy)/d(x, y) of a body that is free."""
 
 
 def at_levels(mooring: System | Network, levels: Sequence[float]) -> tuple[AtLevel, ...]:
     """Solve a mooring at several water levels; every fairlead rises and falls with the water.
 
-    The body is under its load; levels are above that of the case, m.
+    The body is under its load; levels are above that of the case, m. Fairleads that are held go up
+    and down, too, and floats of their own.
 
     Raises
     ------
     InputError
-        When a level brings a fairlead below the bed, or lines between points have no free body or
-        several.
+        When a level brings a fairlead below the bed, or free bodies are several.
     NoEquilibriumError, NotConvergedError
         As for `solve_system`.
     """
@@ -152,7 +153,7 @@ def at_levels(mooring: System | Network, levels: Sequence[float]) -> tuple[AtLev
     found.raise_if_any()
     answers = []
     for level in paced(Message("words.levels", total=len(levels)), levels):
-        loaded = unloaded(mooring.raised(float(level)), "level").own()
+        loaded = unloaded(mooring.raised(float(level)), "level", by_own_load=True).own()
         answers.append(AtLevel(float(level), loaded.response, loaded.stiffness))
     return tuple(answers)
 

@@ -185,6 +185,15 @@ class BodyAtRest(Record):
         return self.position.x - self.neutral.x, self.position.y - self.neutral.y
 
 
+class AtEnds(NamedTuple):
+    """Tension at both ends of a line, pull up on the first (N), and length on the bed (m)."""
+
+    first: float
+    second: float
+    uplift: float
+    grounded: float
+
+
 class PointAtRest(NamedTuple):
     """A point of a network, with all that is free at rest."""
 
@@ -316,6 +325,19 @@ class LinesAtRest(Tabled, Record):
             for each in solution.point_loads
         )
 
+    @property
+    def at_ends(self) -> tuple[AtEnds, ...]:
+        """What each line carries at its ends."""
+        return tuple(
+            AtEnds(
+                math.hypot(*each.first),
+                math.hypot(*each.second),
+                each.first[2],
+                each.state.grounded,
+            )
+            for each in self.joints.ends
+        )
+
     def is_anchored(self, line: int) -> bool:
         """Whether a line, counted from 0, ends at an anchor: its first end then."""
         return is_anchored(self.network, self.runs[line])
@@ -403,6 +425,19 @@ class LinesInCurrent(LinesAtRest):
     def lines(self) -> tuple[Solution, ...]:
         """Every line from its anchor up."""
         return self.solutions
+
+    @property
+    def at_ends(self) -> tuple[AtEnds, ...]:
+        """What each line carries at its ends."""
+        return tuple(
+            AtEnds(
+                each.anchor.tension,
+                each.fairlead.tension,
+                each.anchor.vertical_force,
+                each.grounded_length,
+            )
+            for each in self.solutions
+        )
 
     @property
     def current(self) -> tuple[CurrentEffect, ...]:

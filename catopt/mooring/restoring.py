@@ -59,9 +59,9 @@ def network_response(rest: LinesAtRest, moved: tuple[float, float] | None = None
 
     `moved`: by how much what is held is, m; None: of its one free body.
     """
-    ends = rest.joints.ends
-    tensions = [max(math.hypot(*each.first), math.hypot(*each.second)) for each in ends]
-    anchored = [each.first for k, each in enumerate(ends) if rest.is_anchored(k)]
+    ends = rest.at_ends
+    tensions = [max(each.first, each.second) for each in ends]
+    anchored = [each for k, each in enumerate(ends) if rest.is_anchored(k)]
     if moved is None:
         (body,) = rest.bodies
         place, offset = (body.position.x, body.position.y, body.position.yaw), body.offset
@@ -72,9 +72,9 @@ def network_response(rest: LinesAtRest, moved: tuple[float, float] | None = None
         offset=math.hypot(*offset),
         largest_tension=max(tensions),
         most_loaded=first_largest(tensions),
-        largest_anchor_tension=max((math.hypot(*each) for each in anchored), default=0.0),
-        largest_uplift=max((each[2] for each in anchored), default=0.0),
-        least_grounded=min(each.state.grounded for each in ends),
+        largest_anchor_tension=max((each.first for each in anchored), default=0.0),
+        largest_uplift=max((each.uplift for each in anchored), default=0.0),
+        least_grounded=min(each.grounded for each in ends),
     )
 
 
@@ -168,6 +168,9 @@ class _BetweenPoints:
         return self._of(self.start.under((replace(body, force=(along, across), moment=moment),)))
 
     def own(self) -> Loaded:
+        if self.start is None:
+            rest = at_rest(self.network)
+            return self._of(rest, None if rest.bodies else (0.0, 0.0))
         (body,) = self.network.bodies
         return self.under(body.force, body.moment)
 
@@ -189,16 +192,22 @@ class _BetweenPoints:
         return Loaded(network_response(rest, moved), (x, y), stiffness)
 
 
-def unloaded(mooring: System | Network, asked: str, *, may_be_held: bool = False) -> Unloaded:
+def unloaded(
+    mooring: System | Network, asked: str, *, may_be_held: bool = False, by_own_load: bool = False
+) -> Unloaded:
     """Bring a mooring to rest without load on its one body; `asked`: for what.
 
     InputError for lines between points where free bodies are several; or none, unless
-    `may_be_held`: then all fairleads are held.
+    `may_be_held`: then all fairleads are held. `by_own_load`: no other is followed, so that a
+    current may act, and nothing need be moored.
     """
     if not isinstance(mooring, Network):
         return _OnLines(zero_load_position(mooring))
     count = len(mooring.bodies)
-    if count != 1 and not (may_be_held and not count and mooring.has_fairlead):
+    if by_own_load and (not count or (count == 1 and mooring.current_at_rest is not None)):
+        return _BetweenPoints(mooring, None)
+    ends = {point.kind for point in mooring.points}
+    if count != 1 and not (may_be_held and not count and {"anchor", "fairlead"} <= ends):
         found = ", ".join(body.name for body in mooring.bodies) or Message("refused.none")
         allowed = Message(f"refused_motion.{asked}_is_of_one_body")
         raise refused("bodies", found, allowed, "mooring")

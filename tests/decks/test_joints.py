@@ -112,7 +112,7 @@ def test_read_in_python_it_is_what_the_commands_read(tmp_path: Path) -> None:
     for refusing in (catopt.solve_case, catopt.curve_case, catopt.design_case):
         with pytest.raises(
             InputError,
-            match="catopt solve, system, check, verify, report, export, study and import",
+            match="catopt solve, system, check, curve, verify, report, export, study and import",
         ):
             refusing(found)
     with pytest.raises(InputError, match="leave out --line"):

@@ -475,6 +475,31 @@ def test_water_levels_are_those_of_the_system() -> None:
             assert row == pytest.approx(other, rel=1e-6, abs=1e-6 * own.stiffness[0][0])
     with pytest.raises(InputError, match=r"levels\[0\]"):
         at_levels(network, (-80.0,))
+    own = barge()
+    two = (*own.bodies, MooredBody("two", -400.0, 160.0))
+    points = (*own.points, Point("of two", "fairlead", -400.0, 160.0, 50.0, body="two"))
+    lines = (*own.lines, replace(own.lines[3], end="of two"))
     with pytest.raises(InputError, match="level is for one body"):
-        at_levels(replace(barge(), bodies=(), points=tuple(
-            replace(point, body="") for point in barge().points)), (1.0,))  # fmt: skip
+        at_levels(replace(barge(), bodies=two, points=points, lines=lines), (1.0,))
+
+
+def test_what_is_held_goes_up_with_the_water() -> None:
+    """A metre more of water is a metre of heave; no stiffness is that of a body."""
+    points = tuple(replace(point, body="") for point in barge().points)
+    network = replace(barge(), bodies=(), points=points)
+    (found,) = at_levels(network, (1.0,))
+    due = hold(network, (0.0, 0.0, 1.0, 0.0, 0.0, 0.0))
+    tensions = [max(line.anchor.tension, line.fairlead.tension) for line in due.lines]
+    assert found.response.largest_tension == pytest.approx(max(tensions), rel=1e-9)
+    assert found.response.offset == 0.0
+    assert found.to_dict()["stiffness_N_per_m"] == [[None, None], [None, None]]
+
+
+def test_a_float_in_a_current_at_another_level() -> None:
+    """By the same file with a metre more of water."""
+    case = read_case("cases/instrument-mooring/case.toml")
+    (found,) = at_levels(case, (1.0,))
+    deeper = replace(case, site=replace(case.site, water_depth=181.0))
+    (line,) = at_rest(deeper).lines
+    due = max(line.anchor.tension, line.fairlead.tension)
+    assert found.response.largest_tension == pytest.approx(due, rel=1e-9)
