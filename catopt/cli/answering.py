@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NoReturn
 import typer
 
 from catopt.cli import options as option
-from catopt.cli.output import Printer
+from catopt.cli.output import Printer, terminal_width
 from catopt.cli.values import refused
 from catopt.errors import InputError
 from catopt.progress import when_long
@@ -201,15 +201,18 @@ def answering(
             full: bool = False,
             **options: Any,
         ) -> None:
+            from catopt.render.terminal import COLUMNS
             from catopt.render.values import UNITS
 
             output = context.obj
             when_long(lambda reported: output.note(say(reported, lang)))
             before = UNITS.set(units or "")
+            columns = COLUMNS.set(terminal_width())
             try:
                 command(Asked(output, lang, as_json, out, full), **options)
             finally:
                 UNITS.reset(before)
+                COLUMNS.reset(columns)
 
         _, *own = inspect.signature(command, eval_str=True).parameters.values()
         names = [each.name for each in own]

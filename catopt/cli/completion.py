@@ -7,18 +7,27 @@ do that themselves.
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from typing import Any
 
+import typer
 
-def completed(names: str | tuple[str, ...]) -> Callable[[str], list[str]]:
-    """Make what completes one of several names, or one of a kind, looked up when it is required."""
+from catopt.sizing.inputs import SINKER, Input
 
-    def complete(incomplete: str) -> list[str]:
-        known = dict.fromkeys(_names(names) if isinstance(names, str) else names)
+
+def completed(names: str | tuple[str, ...]) -> Callable[[Any, str], list[str]]:
+    """Make what completes one of several names, or one of a kind, looked up when it is required.
+
+    Of a kind those that the command takes with what is typed already.
+    """
+
+    # Typer finds its context by its type, which cannot be imported for a type checker alone.
+    def complete(ctx: typer.Context, incomplete: str) -> list[str]:
+        typed = ctx.params
+        known = dict.fromkeys(_names(names, typed) if isinstance(names, str) else names)
         shell = os.environ.get("_CATOPT_COMPLETE", "").rpartition("_")[2]
-        typed = os.environ.get("COMP_WORDS", "")
-        is_quoted = typed.count('"') % 2 == 1 or typed.count("'") % 2 == 1
+        words = os.environ.get("COMP_WORDS", "")
+        is_quoted = words.count('"') % 2 == 1 or words.count("'") % 2 == 1
         escapes = {} if is_quoted else {"bash": "\\", "powershell": "`", "pwsh": "`"}
         space = f"{escapes.get(shell, '')} "
         return [name.replace(" ", space) for name in known if name.startswith(incomplete)]
@@ -26,11 +35,11 @@ def completed(names: str | tuple[str, ...]) -> Callable[[str], list[str]]:
     return complete
 
 
-_OF_INPUTS = ("buoy", "chain", "anchor", "soil", "code")
+_OF_INPUTS = ("buoy", "chain", "anchor", "code")
 """Inputs of a sizing that are names of a kind."""
 
 
-def _names(kind: str) -> Iterable[str]:
+def _names(kind: str, typed: Mapping[str, Any]) -> Iterable[str]:
     """Look up all names of a kind; a component of the catalogue is a family with its grade."""
     match kind:
         case "template":
@@ -44,7 +53,8 @@ def _names(kind: str) -> Iterable[str]:
         case "code":
             from catopt.checks.profiles import profiles
 
-            return (each.name for each in profiles())
+            recalled = bool(typed.get("recalled"))
+            return (each.name for each in profiles() if recalled or not each.is_recalled)
         case "buoy":
             from catopt.loads import buoys
 
@@ -53,23 +63,29 @@ def _names(kind: str) -> Iterable[str]:
             from catopt.loads.drag_anchor import ANCHORS
 
             return ANCHORS
-        case "soil":  # under drag anchors and under sinkers
+        case "anchor.soil" if typed.get("anchor") != SINKER and not typed.get("sinker"):
             from catopt.loads.drag_anchor import SOILS
+
+            return SOILS
+        case "anchor.soil" | "sinker.soil":
             from catopt.loads.sinker import SOIL_FRICTION
 
-            return (*SOILS, *SOIL_FRICTION)
+            return SOIL_FRICTION
     from catopt.catalogue import families
     from catopt.catalogue.finding import component_names
 
     if kind == "family":
         return (each.name for each in families())
     if kind == "grade":
-        return (grade for each in families() for grade in each.grades)
+        own = [each for each in families() if each.name == typed.get("family")]
+        return (grade for each in own or families() for grade in each.grades)
     return component_names()
 
 
-def of_input(name: str, words: tuple[str, ...]) -> dict[str, Any]:
+def of_input(each: Input) -> dict[str, Any]:
     """Say, for the option of a sizing's input, what completes it."""
-    if words:
-        return {"autocompletion": completed(words)}
-    return {"autocompletion": completed(name)} if name in _OF_INPUTS else {}
+    if each.words:
+        return {"autocompletion": completed(each.words)}
+    kind = each.key if each.name == "soil" else each.name
+    known = kind in _OF_INPUTS or each.name == "soil"
+    return {"autocompletion": completed(kind)} if known else {}

@@ -97,8 +97,8 @@ def _refuse(why: Message) -> NoReturn:
     raise refused("standard output", "", why)
 
 
-LEAST_WIDTH = 80
-"""Columns that every table is laid out for; a narrower terminal folds the lines itself."""
+LEAST_WIDTH, MOST_WIDTH = 60, 140
+"""Columns that answers are laid out for; a narrower terminal folds the lines itself."""
 
 BROKEN_PIPE_STATUS = 141
 """128 + SIGPIPE: what a shell reports of a program whose reader went away."""
@@ -261,21 +261,30 @@ class Printer:
             legacy_windows=False,
             color_system=None if plain else "auto",
         )
-        console.width = max(console.width, LEAST_WIDTH)
+        console.width = terminal_width()
         self._consoles[stream] = console
         return console
 
 
 def _folded(line: str) -> str:
     """Fold a line to the terminal, its later lines set in; paths and numbers stay whole."""
-    from shutil import get_terminal_size
     from textwrap import fill
 
     margin = " " * (len(line) - len(line.lstrip()) + 4)
-    width = max(get_terminal_size().columns, LEAST_WIDTH)
     return fill(
-        line, width, subsequent_indent=margin, break_long_words=False, break_on_hyphens=False
+        line,
+        terminal_width(),
+        subsequent_indent=margin,
+        break_long_words=False,
+        break_on_hyphens=False,
     )
+
+
+def terminal_width() -> int:
+    """Return the columns to fill: those of the terminal within limits, 80 where there is none."""
+    from shutil import get_terminal_size
+
+    return min(max(get_terminal_size().columns, LEAST_WIDTH), MOST_WIDTH)
 
 
 def _encoding(stream: TextIO) -> str:

@@ -69,9 +69,7 @@ def _parameter(each: Input, taken: str | None) -> inspect.Parameter:
     is_flag = each.takes == "FLAG"
     metavar = None if is_flag else _METAVARS.get(each.name, each.takes)
     kind: Any = bool if is_flag else list[str] | None if each.several else str | None
-    option = typer.Option(
-        as_option(each.name), metavar=metavar, help=words, **of_input(each.name, each.words)
-    )
+    option = typer.Option(as_option(each.name), metavar=metavar, help=words, **of_input(each))
     return keyword(each.name, Annotated[kind, option], False if is_flag else None)
 
 

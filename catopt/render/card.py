@@ -1,4 +1,4 @@
-"""An answer on one screen: 22 lines of 80 columns, whatever it holds."""
+"""An answer on one screen: 22 lines, whatever it holds."""
 
 from __future__ import annotations
 
@@ -22,11 +22,11 @@ from catopt.answers.blocks import (
     Verdict,
     Warnings,
 )
-from catopt.render.terminal import NO_BREAK, Printer, table_lines
+from catopt.render.terminal import COLUMNS, NO_BREAK, Printer, table_lines
 from catopt.render.values import as_text, as_wanted, is_seen, parts_of
 from catopt.words import Language, Message, say
 
-LINES, WIDTH = 22, 80
+LINES = 22
 
 _GAP = 2
 """Columns between a name and its value; twice as many between two of them."""
@@ -155,7 +155,7 @@ def _joined(laid: Iterable[list[Line]]) -> Iterator[Line]:
 def folded(text: str) -> list[str]:
     """Fold a text to the width; words stay whole, and a number keeps its unit beside it."""
     joined = re.sub(r"(?<=\d) (?=[^\W\d]{1,5}\b)", NO_BREAK, text)
-    lines = wrap(joined, WIDTH, break_long_words=False, break_on_hyphens=False)
+    lines = wrap(joined, COLUMNS.get(), break_long_words=False, break_on_hyphens=False)
     return [line.replace(NO_BREAK, " ") for line in lines]
 
 
@@ -194,7 +194,7 @@ def _rows(cells: list[tuple[str, str]]) -> list[str]:
         f"{left}{' ' * 2 * _GAP}{right}".rstrip()
         for left, right in zip(columns[0], [*columns[1], ""], strict=False)
     ]
-    return rows if max(map(len, rows), default=0) <= WIDTH else _column(cells)
+    return rows if max(map(len, rows), default=0) <= COLUMNS.get() else _column(cells)
 
 
 def _column(cells: list[tuple[str, str]]) -> list[str]:
@@ -206,7 +206,7 @@ def _column(cells: list[tuple[str, str]]) -> list[str]:
 def _brief(block: Brief, lines: int, language: Language) -> list[str]:
     """Say as much as there is room for, and how much more there is."""
     said: list[str] = []
-    while len(said) < len(block.said) and len(" ".join(said).split()) <= lines * WIDTH:
+    while len(said) < len(block.said) and len(" ".join(said).split()) <= lines * COLUMNS.get():
         said.append(say(block.said[len(said)], language).rstrip("."))
     for many in range(len(said), 0, -1):
         text = _counted("; ".join(said[:many]), len(block.said) - many, language)
@@ -231,11 +231,11 @@ def _labelled(block: Brief, text: str, language: Language) -> str:
 def _cut(text: str, lines: int, more: int = 0, language: Language = "en") -> list[str]:
     """Fold a text, and leave words out from its end on until it has so many lines."""
     words = text.split()
-    if len(words) <= lines * WIDTH:
+    if len(words) <= lines * COLUMNS.get():
         whole = folded(_counted(text, more, language))
         if len(whole) <= lines:
             return whole or [""]
-    for most in range(min(len(words) - 1, lines * WIDTH), 0, -1):
+    for most in range(min(len(words) - 1, lines * COLUMNS.get()), 0, -1):
         whole = folded(_counted(f"{' '.join(words[:most])} ...", more, language))
         if len(whole) <= lines:
             break

@@ -1,9 +1,10 @@
-"""An answer on a terminal of 80 columns."""
+"""An answer on a terminal."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
+from contextvars import ContextVar
 from copy import copy
 from textwrap import wrap
 from typing import Protocol
@@ -23,7 +24,8 @@ from catopt.quantities import QUANTITIES
 from catopt.render.values import as_text, as_wanted, cell, is_seen, parts_of
 from catopt.words import Language, Message, Sentence, Several, say, term
 
-_WIDTH = 80
+COLUMNS: ContextVar[int] = ContextVar("COLUMNS", default=80)
+"""That an answer is laid out for."""
 _GAP = 3
 """Columns between two columns of a table."""
 _TEXT = 12
@@ -119,7 +121,7 @@ def _facts(output: Printer, block: Facts, language: Language) -> None:
 def _table(
     output: Printer, table: Table, caption: str, rows: Sequence[int], language: Language
 ) -> None:
-    """Print rows of a table, without the columns for which 80 have no room; those are named."""
+    """Print rows of a table, without the columns for which there is no room; those are named."""
     shown = [each for each in table.columns if each.only != "files"]
     columns = [_Column(each, rows, language) for each in shown]
     left_out = []
@@ -156,7 +158,7 @@ def _headings_over_whole(columns: Sequence[_Column]) -> list[str]:
 
 
 def _cuts_numbers(columns: Sequence[_Column], headings: Sequence[str]) -> bool:
-    """Whether 80 columns have no room for all digits, however far words fold."""
+    """Whether there is no room for all digits, however far words fold."""
     least = [
         width if each.is_number else min(width, _LEAST)
         for each, width in zip(columns, _widths(columns, headings), strict=True)
@@ -169,7 +171,7 @@ def _last_number(columns: Sequence[_Column]) -> int:
 
 
 def table_lines(table: Table, room: int, language: Language) -> list[str]:
-    """Lay a table out in so many lines below its headings, in 80 columns, without a rule.
+    """Lay a table out in so many lines below its headings, without a rule.
 
     Columns for which there is no room are left out, those of a priority first; of rows the marked
     one stays, and how many are left out is said in the last line.
@@ -186,7 +188,8 @@ def table_lines(table: Table, room: int, language: Language) -> list[str]:
     if not columns:
         return []
     while _excess(columns) > 0 and len(columns) > 1:
-        worst = max(columns[1:], key=lambda each: (each.of.priority, each.width - _WIDTH // 3))
+        third = COLUMNS.get() // 3
+        worst = max(columns[1:], key=lambda each: (each.of.priority, each.width - third))
         if worst.of.priority == 0:
             break
         columns.remove(worst)
@@ -296,11 +299,11 @@ def _excess(columns: Sequence[_Column]) -> int:
 
 def _over(widths: Sequence[int]) -> int:
     """Count the characters by which a row of such widths is too long."""
-    return sum(widths) + _GAP * (len(widths) - 1) - _WIDTH
+    return sum(widths) + _GAP * (len(widths) - 1) - COLUMNS.get()
 
 
 def _rooms(columns: Sequence[_Column], excess: int) -> list[int]:
-    """Choose to how many characters each heading folds: whole words, where 80 have room for them.
+    """Choose to how many characters each heading folds: whole words, where there is room for them.
 
     Where not, words of headings that are widest over what is below them are broken.
     """

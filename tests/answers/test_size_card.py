@@ -23,7 +23,7 @@ from catopt.design.neighbours import NoFeasibleDesignError
 from catopt.notes.line import Given, size_note
 from catopt.notes.origin import Asked
 from catopt.quantities import Units
-from catopt.render.card import LINES, WIDTH, card_lines
+from catopt.render.card import LINES, card_lines
 from catopt.render.values import UNITS
 from catopt.sizing import Sizing
 from catopt.sizing.input_values import ResolvedInputs, input_values
@@ -87,7 +87,7 @@ def test_it_has_at_most_22_lines_of_80_columns(name: str, language: Language) ->
         for units in ("", "tf", "si"):
             lines = screen(each, language, units)
             assert len(lines) <= LINES == 22
-            assert max(map(len, lines)) <= WIDTH == 80
+            assert max(map(len, lines)) <= 80
             assert not re.search(r"\de\+", "\n".join(lines))
 
 
@@ -256,7 +256,7 @@ def test_where_nothing_passes_one_screen_says_so(
 ) -> None:
     lines = said_in(language, moored, **more)
     assert 4 <= len(lines) <= LINES
-    assert max(map(len, lines)) <= WIDTH
+    assert max(map(len, lines)) <= 80
     miss = missed(moored, **more)[0].near_miss
     assert miss is not None
     for kind in {each.kind for each in miss.failing}:

@@ -9,6 +9,8 @@ from collections.abc import Callable
 
 import pytest
 
+from catopt.loads.sinker import SOIL_FRICTION
+
 from .conftest import Run
 
 
@@ -79,6 +81,31 @@ def test_a_shell_is_answered() -> None:
 def test_bash(completed: Completed, words: str, some: list[str]) -> None:
     found = completed("bash", words)
     assert set(some) <= set(found), found
+
+
+@pytest.mark.parametrize(
+    ("words", "none"),
+    [
+        ("catopt size buoy --soil ", ["medium\\ clay", "soft\\ clay"]),
+        ("catopt size tanker --soil ", ["fine\\ or\\ silty\\ sand"]),
+        ("catopt size tanker --anchor sinker --soil ", ["medium\\ clay"]),
+        ("catopt check case.toml --code ", ["ISO-19901-7"]),
+        ("catopt catalog show polyester ", ["R3", "4D"]),
+    ],
+)
+def test_what_is_not_taken_is_not_offered(
+    completed: Completed, words: str, none: list[str]
+) -> None:
+    found = completed("bash", words)
+    assert not set(none) & set(found), found
+
+
+def test_what_is_typed_already_says_what_is_offered(completed: Completed) -> None:
+    assert "ISO-19901-7" in completed("bash", "catopt check case.toml --recalled --code ISO")
+    assert completed("bash", "catopt size tanker --sinker concrete --soil fine")
+    assert completed("bash", "catopt catalog show chain\\ studless R")
+    every = completed("bash", "catopt size buoy --soil ")
+    assert [each.replace("\\", "") for each in every] == list(SOIL_FRICTION)
 
 
 @pytest.mark.parametrize(

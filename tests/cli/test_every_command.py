@@ -68,7 +68,7 @@ def _files(inside: Path) -> None:
 def test_the_answer_fits_and_nothing_stands_beside_it(
     run: Run, monkeypatch: pytest.MonkeyPatch, command: Command
 ) -> None:
-    for width in 80, 132:
+    for width in 60, 80, 140:
         monkeypatch.setenv("COLUMNS", str(width))
         ran = run(*typed(command.line))
         assert (ran.status, fits(ran.out, width)) == (0, True)

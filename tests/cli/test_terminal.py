@@ -202,6 +202,15 @@ def test_a_sizing_is_one_screen_and_the_rest_is_asked_for(
 
 @needs_pty
 def test_a_terminal_shows_of_a_sizing_what_a_pipe_gets(run: Run) -> None:
-    status, shown = in_terminal("size", *SIZES[0], NO_COLOR="1", COLUMNS="120")
+    status, shown = in_terminal("size", *SIZES[0], NO_COLOR="1", COLUMNS="80")
     assert status == 0
     assert shown.endswith(run("size", *SIZES[0]).out)
+
+
+@needs_pty
+@pytest.mark.parametrize("width", [60, 140])
+def test_a_terminal_is_used_from_60_to_140_columns(width: int) -> None:
+    status, shown = in_terminal("size", *SIZES[0], NO_COLOR="1", COLUMNS=f"{width}")
+    assert status == 0
+    card = shown[shown.index("\nPasses") :].splitlines()
+    assert width - 12 <= max(map(len, card)) <= width

@@ -21,7 +21,7 @@ from catopt.answers.blocks import (
 from catopt.answers.check import check_answer
 from catopt.casefile import read_case
 from catopt.checks.case import check_case
-from catopt.render.card import LINES, WIDTH, card_lines
+from catopt.render.card import LINES, card_lines
 from catopt.render.terminal import table_lines
 from catopt.words import Message
 
@@ -40,7 +40,7 @@ def test_an_answer_of_many_remarks_is_laid_out_at_once() -> None:
     assert process_time() - began < 2.0
     assert lines[0] == "Prints"
     assert 3 < len(lines) <= LINES
-    assert max(map(len, lines)) <= WIDTH
+    assert max(map(len, lines)) <= 80
 
 
 def numbers(name: str, rows: int, caption: str) -> Table:
@@ -93,7 +93,7 @@ def test_a_column_that_is_dropped_gives_its_room_back() -> None:
     for kind in ("Tension", "Uplift angle", "Reserve buoyancy"):
         (row,) = (each for each in lines if each.startswith(f"{kind}   "))
         assert row.endswith("storm, high water")
-    assert max(map(len, lines)) <= WIDTH
+    assert max(map(len, lines)) <= 80
 
 
 def test_headings_are_broken_before_words_below_them_are_cut() -> None:
