@@ -261,11 +261,27 @@ def _levels(levels: Sequence[AtLevel]) -> Iterator[blocks.Section]:
         columns = (
             of.measured("height", "level", "water_level", symbol=""),
             *_responses(of.read("response")),
-            *blocks.if_known(
-                of.measured("stiffness", lambda each: each.stiffness[0][0], symbol="kxx")
+            *if_known(
+                of.measured(
+                    "stiffness", lambda each: each.stiffness[0][0], symbol="kxx", priority=1
+                )
+            ),
+            *if_known(
+                of.measured("height", "floating.draught", "draught", symbol="", only="files"),
+                of.measured("height", "floating.freeboard", "freeboard", symbol=""),
             ),
         )
-        yield section(title, blocks.Table("water_levels", columns, title))
+        under = [
+            f"{Measure('height', each.level)}"
+            for each in levels
+            if each.floating and each.floating.under
+        ]
+        said = (
+            [blocks.Text(Message("mooring.under_at_levels", levels=", ".join(under)))]
+            if under
+            else []
+        )
+        yield section(title, *said, blocks.Table("water_levels", columns, title))
 
 
 def fixed_section(number: int, body: HeldBody) -> blocks.Section:
@@ -399,7 +415,12 @@ def network_answer(
         *([out] if line_out else []),
         *([circle_table(circle)] if circle else []),
         *(curve_table(number, each) for number, each in enumerate(curves, start=1)),
-        *(each for of in _levels(levels) for each in of.blocks if isinstance(each, blocks.Table)),
+        *(
+            each
+            for of in _levels(levels)
+            for each in of.blocks
+            if isinstance(each, blocks.Table | blocks.Text)
+        ),
         *floats_on_card(rest),
         meeting_table(rest, "lines", checks),
         *([bodies_table(rest)] if rest.bodies else []),

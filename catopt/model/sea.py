@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields
 from itertools import pairwise
@@ -242,17 +243,18 @@ class CurrentProfile(Plausible):
         There is none above the water; that of a steady profile.
         """
         rows = [(water_depth - depth, *self._row(k)) for k, depth in enumerate(self.depths)][::-1]
+        heights = [height for height, *_ in rows]
         way = (math.cos(self.direction), math.sin(self.direction))
         exponent = 1.0 / 7.0 if self.exponent is None else self.exponent
         speed, reach = self.speed or 0.0, self.depth or water_depth
 
         def of_table(z: float) -> tuple[float, float]:
-            if not rows[0][0] < z < rows[-1][0]:
-                return rows[0][1:] if z <= rows[0][0] else rows[-1][1:]
-            k = next(k for k in range(1, len(rows)) if z <= rows[k][0])
-            (low, u, v), (high, *upper) = rows[k - 1 : k + 1]
+            k = bisect_left(heights, z)
+            if k == 0 or k == len(rows):
+                return rows[min(k, len(rows) - 1)][1:]
+            (low, u, v), (high, more, aside) = rows[k - 1], rows[k]
             part = (z - low) / (high - low)
-            return u + part * (upper[0] - u), v + part * (upper[1] - v)
+            return u + part * (more - u), v + part * (aside - v)
 
         def velocity(z: float) -> tuple[float, float]:
             if z > water_depth * (1.0 + 1e-12):

@@ -15,7 +15,7 @@ from catopt.model import Case, System
 from catopt.model.kinds import Findings, Place, SomeForce, Stiffness
 from catopt.model.network import Network
 from catopt.mooring.fixed_body import at_displacement
-from catopt.mooring.network_rest import HeldBody, LinesAtRest
+from catopt.mooring.network_rest import FloatingBody, HeldBody, LinesAtRest
 from catopt.mooring.restoring import (
     Response,
     RestoringCurve,
@@ -124,7 +124,7 @@ def _not(wanted: str, **values: object) -> SharingRule:
 class AtLevel(Record):
     """The system under its own load at one water level."""
 
-    DOCUMENT = "level response stiffness"
+    DOCUMENT = "level response stiffness floating?"
 
     level: Place
     """Above that of the case."""
@@ -132,6 +132,8 @@ class AtLevel(Record):
     """The body and its lines at that level, from the zero-load position there."""
     stiffness: Annotated[tuple[tuple[Stiffness, Stiffness], tuple[Stiffness, Stiffness]], OrNull]
     """-d(Fx, Fy)/d(x, y) of a body that is free."""
+    floating: FloatingBody | None = None
+    """How the body floats there; None of one that is held, or on lines of its own."""
 
 
 def at_levels(mooring: System | Network, levels: Sequence[float]) -> tuple[AtLevel, ...]:
@@ -154,7 +156,8 @@ def at_levels(mooring: System | Network, levels: Sequence[float]) -> tuple[AtLev
     answers = []
     for level in paced(Message("words.levels", total=len(levels)), levels):
         loaded = unloaded(mooring.raised(float(level)), "level", by_own_load=True).own()
-        answers.append(AtLevel(float(level), loaded.response, loaded.stiffness))
+        at = (loaded.response, loaded.stiffness, loaded.floating)
+        answers.append(AtLevel(float(level), *at))
     return tuple(answers)
 
 

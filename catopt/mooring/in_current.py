@@ -4,7 +4,8 @@ A line between two places is closed by what is sought at its lower end, F (see
 `catenary.in_current`). How its upper end r and the forces on both ends change with F and with the
 height of the first end is found by differences; so the forces change with the places of the ends
 by dF = (dr/dF)^-1 (dr - dr/dz dz), and Newton's method goes over the freedoms of the network as in
-still water. Drag has no energy: a step is cut back while it does not bring down what is left over.
+still water. Drag has no energy: a step is cut back while it neither brings down what is left over
+nor ends where the forces still pull on.
 What the current takes too far at once it takes in parts, from still water on.
 """
 
@@ -38,6 +39,7 @@ from catopt.mooring.net import FORCES, STIFFNESS, TURNS, Known, Net, place_point
 from catopt.mooring.rest import (
     HELD_BACK,
     MOST_TURN,
+    OVERSHOOT,
     TOLERANCE,
     add_line,
     add_up,
@@ -354,12 +356,25 @@ class _InCurrent:
             stiffest = max(known.stiffness[i * len(net.pull) + i] for i in range(len(net.pull)))
             limit = TOLERANCE * largest + _ENOUGH * CLOSED * stride * stiffest
             if left <= limit:
-                return left, step
+                return self._polished(left, stiffest, stride), step
             found = self._step(left, stiffest, stride)
         return None
 
+    def _polished(self, left: float, stiffest: float, stride: float) -> float:
+        """Take one more step where that leaves less; what is left over, N."""
+        found = self._step(left, stiffest, stride)
+        if found is not None and (less := add_up(self.net, self.known)[0]) < left:
+            self.remember(found)
+            return less
+        go(self.net, self.known, 0.0)
+        self.hang()
+        return add_up(self.net, self.known)[0]
+
     def _step(self, left: float, stiffest: float, stride: float) -> list[Followed] | None:
-        """Take so much of a step of Newton's method as brings down what is left over."""
+        """Take so much of a step of Newton's method as brings down what is left over.
+
+        Or at whose end the forces hardly push back: as lines come taut on the way more is left.
+        """
         net, known = self.net, self.known
         n = len(net.pull)
         for i in range(n):
@@ -371,10 +386,14 @@ class _InCurrent:
                 part = min(part, MOST_TURN * net.scale[i] / abs(known.way[i]))
         found = None
         for _ in range(_CUTS):
-            go(net, known, part)
+            downhill = go(net, known, part)
             found = self.hang()
-            if found is not None and add_up(net, known)[0] < left:
-                return found
+            if found is not None:
+                now, _ = add_up(net, known)
+                moved = zip(known.left, known.q, known.before, strict=True)
+                pull = math.fsum(force * (there - here) for force, there, here in moved)
+                if now < left or pull >= -OVERSHOOT * downhill:
+                    return found
             part *= 0.5
         return found
 

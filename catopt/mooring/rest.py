@@ -48,7 +48,7 @@ WORTH_A_STEP: Final = 1e-3
 
 STEPS: Final = 200
 _CUTS: Final = 60
-_OVERSHOOT: Final = 0.3
+OVERSHOOT: Final = 0.3
 """Of what the forces pulled at the start of a step, what they may push back at its end."""
 _SETTLED: Final = 0.02
 """The same once a step has been cut back: a line that comes taut on the way stops it there, and the
@@ -386,7 +386,7 @@ def _go_down(net: Net, known: Known, part: float, is_rough: bool) -> tuple[int, 
                 left += known.left[i] * known.left[i]
             if left <= 0.25 * before:
                 break
-            most = _SETTLED if cut_back > 0 else _OVERSHOOT
+            most = _SETTLED if cut_back > 0 else OVERSHOOT
             if abs(slope) <= most * downhill or (slope > 0.0 and math.isinf(far)):
                 break
         # Illinois: regula falsi between where the forces still pull on and where they push back;

@@ -15,7 +15,7 @@ from catopt.model.network import Network
 from catopt.model.system import System
 from catopt.mooring.fixed_body import WithoutLoad, at_rest, without_load
 from catopt.mooring.joints import pulls_of
-from catopt.mooring.network_rest import LinesAtRest
+from catopt.mooring.network_rest import FloatingBody, LinesAtRest
 from catopt.mooring.zero_load import BodyRest, Lines, ZeroLoadPosition, zero_load_position
 from catopt.old_names import old_function
 from catopt.progress import paced
@@ -103,6 +103,8 @@ class Loaded(NamedTuple):
     response: Response
     pull: tuple[float, float]
     stiffness: Plane
+    floating: FloatingBody | None = None
+    """How it floats; None of a body on lines of its own, or one that is held."""
 
 
 class Unloaded(Protocol):
@@ -189,7 +191,8 @@ class _BetweenPoints:
         x, y = (math.fsum(force[i] for force in pulls) for i in (0, 1))
         plane = rest.bodies[0].stiffness if rest.bodies else ((math.nan,) * 3,) * 3
         stiffness = ((plane[0][0], plane[0][1]), (plane[1][0], plane[1][1]))
-        return Loaded(network_response(rest, moved), (x, y), stiffness)
+        floating = rest.bodies[0].floating if rest.bodies else None
+        return Loaded(network_response(rest, moved), (x, y), stiffness, floating)
 
 
 def unloaded(

@@ -17,7 +17,9 @@ POINTS = {
     "hanging-instrument",
     "instrument-mooring",
     "lake-buoy",
+    "net-cage",
     "raft-four-lines",
+    "reservoir-raft",
     "ship-at-quay",
 }
 """Notes of points and lines: they have no bill, wear or fatigue of their lines yet."""
