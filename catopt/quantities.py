@@ -222,7 +222,7 @@ _TABLE = (
     Quantity("strain", "Strain", "", "-", "-", 1.0, 5),
     Quantity("price", "Price", "", "USD/m", "USD/m", 1.0, 2),
     Quantity("cost", "Cost", "", "USD", "USD", 1.0, 0),
-    _length("span", "Span", "S"),
+    replace(_length("span", "Span", "S"), rounding=1e-6),
     _length("offset", "Offset", ""),
     _length("excursion", "Excursion", ""),
     _length("height", "Height", "h"),

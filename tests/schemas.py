@@ -48,6 +48,7 @@ from catopt.study.result import StudyResult
 from catopt.study.run import Plan
 from catopt.verify.case import FrontVerification
 from catopt.verify.dynamic_result import DynamicVerification
+from catopt.study.finding import FoundValues
 from catopt.verify.fatigue import FatigueReport
 from catopt.verify.result import Verification
 from catopt.verify.ship_result import ShipVerification
@@ -61,6 +62,7 @@ RECORDS: Mapping[str, tuple[type[Record], ...]] = {
     "design": (DesignResult,),
     "export": (Exported,),
     "fatigue": (FatigueReport,),
+    "find": (FoundValues,),
     "loads": (ComparedLoads,),
     "network": (NetworkReport,),
     "new": (NewFile,),
@@ -75,7 +77,7 @@ RECORDS: Mapping[str, tuple[type[Record], ...]] = {
     "verify": (Verification, FrontVerification),
 }
 """Which records lay a document out; what only some of them have may be missing."""
-OF_A_CASE = ("check", "curve", "design", "fatigue", "size", "solution", "system", "verify")
+OF_A_CASE = ("check", "curve", "design", "fatigue", "find", "size", "solution", "system", "verify")
 """Documents that a result directory may have."""
 PUT_IN: Mapping[str, Mapping[str, tuple[Any, str]]] = {
     "catalog": {

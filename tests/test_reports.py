@@ -46,7 +46,9 @@ def _value(text: str) -> float:
 @pytest.mark.parametrize(
     "name",
     [
-        pytest.param(name, marks=pytest.mark.slow) if name.startswith("design-") else name
+        pytest.param(name, marks=pytest.mark.slow)
+        if name.startswith("design-") or name == "net-cage"
+        else name
         for name in (*CASES, *SIZINGS)
     ],
 )

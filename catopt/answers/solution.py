@@ -274,6 +274,8 @@ def _lowest(solution: Solution) -> Iterator[blocks.Fact]:
     lowest = solution.lowest_point
     yield fact("z", lowest.z, "lowest_point", symbol="")
     yield fact("x", lowest.x, "lowest_point_from_the_anchor", symbol="")
+    for each in solution.touchdowns:
+        yield fact("x", each.x, "touchdown_from_the_anchor", symbol="")
     yield fact("height", solution.sag, "sag", symbol="")
 
 

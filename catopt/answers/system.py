@@ -504,7 +504,7 @@ def hung_table(placed: Sequence[Sequence[PlacedLoad]], names: Sequence[str]) -> 
 
 
 def shapes_table(solutions: Sequence[Solution], names: Sequence[str]) -> blocks.Table:
-    """Tabulate where lines are lowest, and their sag, by the names of the lines."""
+    """Tabulate where lines are lowest and touch the bed, their sag, and vertical forces."""
     of = Rows(solutions)
     return tabulate(
         "shapes",
@@ -513,8 +513,16 @@ def shapes_table(solutions: Sequence[Solution], names: Sequence[str]) -> blocks.
         of.measured("s", "lowest_point.s", "lowest_along", symbol=""),
         of.measured("x", "lowest_point.x", "lowest_point_from_the_anchor", symbol=""),
         of.measured("height", "sag", "sag", symbol=""),
+        of.texts("touchdowns", _touchdowns, only="all" if any(of.read("touchdowns")) else "files"),
+        of.measured("vertical_force", "anchor.vertical_force", "vertical_there", symbol=""),
+        of.measured("vertical_force", "fairlead.vertical_force", "vertical_here", symbol=""),
         caption=Message("captions.lowest_and_sag"),
     )
+
+
+def _touchdowns(solution: Solution) -> str:
+    """Say how far from its first end a line comes to the bed or leaves it."""
+    return ", ".join(f"{Measure('x', each.x):bare}" for each in solution.touchdowns)
 
 
 def _hung_on_card(placed: Iterable[Sequence[PlacedLoad]]) -> Iterator[blocks.Brief]:

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import Annotated, Any, NamedTuple
 
 from catopt.catenary.lower_part import Touchdown, lower_part, on_bed, touchdown_of
@@ -401,6 +402,27 @@ class LowestPoint(Record):
     """Horizontal distance from the anchor."""
     z: Place
     """Above the seabed."""
+
+
+class TouchdownPoint(LowestPoint):
+    """Where a line comes to the bed, or leaves it."""
+
+
+def touchdowns_of(stretches: Sequence[Stretch]) -> tuple[TouchdownPoint, ...]:
+    """Find where a laid-out line comes to the bed or leaves it, from the anchor up.
+
+    Examples
+    --------
+    >>> from catopt import Line, Segment, solve
+    >>> line = solve(Line([Segment(100.0, 100.0)]), height=20.0, horizontal_force=1e3)
+    >>> [round(each.s, 6) for each in line.touchdowns]  # 100 - sqrt(20 (20 + 2 a)), a = 10 m
+    [71.715729]
+    """
+    return tuple(
+        TouchdownPoint(each.start, each.x, each.z)
+        for before, each in pairwise(stretches)
+        if before.on_bed != each.on_bed
+    )
 
 
 def lowest_point(stretches: Sequence[Stretch]) -> LowestPoint:

@@ -10,7 +10,16 @@ from functools import cached_property
 from itertools import count
 from typing import TYPE_CHECKING, Annotated, Any, Literal, NotRequired, Self, TypedDict
 
-from catopt.catenary.layout import LowestPoint, Profile, Stretch, lowest_point, sag_of, sample
+from catopt.catenary.layout import (
+    LowestPoint,
+    Profile,
+    Stretch,
+    TouchdownPoint,
+    lowest_point,
+    sag_of,
+    sample,
+    touchdowns_of,
+)
 from catopt.catenary.state import Regime
 from catopt.display import Displayable
 from catopt.errors import FloatsUpError
@@ -233,9 +242,9 @@ class Solution(LaidOutLater, Displayable, Record):
     SCHEMA = "catopt.solution/1"
     DOCUMENT = (
         "title method status regime horizontal_force span fairlead_height anchor_height "
-        "seabed_friction fairlead anchor lowest_point sag grounded_length suspended_length "
-        "stretched_length line.mass=line_mass_kg safety_factor segments point_loads residual "
-        "warnings found? swarm=pso? profile*"
+        "seabed_friction fairlead anchor lowest_point touchdowns sag grounded_length "
+        "suspended_length stretched_length line.mass=line_mass_kg safety_factor segments "
+        "point_loads residual warnings found? swarm=pso? profile*"
     )
 
     line: Line
@@ -303,6 +312,11 @@ class Solution(LaidOutLater, Displayable, Record):
     def lowest_point(self) -> LowestPoint:
         """Where the line is lowest; of what lies on the bed the end towards the fairlead."""
         return lowest_point(self.stretches)
+
+    @property
+    def touchdowns(self) -> tuple[TouchdownPoint, ...]:
+        """Where the line comes to the bed or leaves it, from the anchor; none where it does not."""
+        return touchdowns_of(self.stretches)
 
     @property
     def sag(self) -> Height:

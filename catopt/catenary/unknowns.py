@@ -13,7 +13,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, Protocol
 
 from catopt.catenary.roots import root
 from catopt.catenary.solution import FoundQuantity, Solution
@@ -122,6 +122,17 @@ class Sought:
         return {"what": self.name, "condition": self.condition.text, "at": self.written(value)}
 
 
+class Missing(Protocol):
+    """What is missing of a condition, over an unknown above 0."""
+
+    @property
+    def turns(self) -> bool:
+        """Whether it may both rise and fall."""
+
+    def missing(self, value: float) -> float:
+        """Say what is missing at a value."""
+
+
 class Trial(NamedTuple):
     """A value of an unknown and what is missing there."""
 
@@ -138,7 +149,7 @@ def find(sought: Sought, start: float, scale: float, least: float) -> Found:
     """
     tried = _tried(sought, start, scale, least)
     jumps, found = [], []
-    for low, high in _crossings(sought, tried):
+    for low, high in crossings(sought, tried):
         value = _root(sought, low, high)
         left, size = _left(sought, value)
         if abs(left) <= MET * size:
@@ -179,7 +190,7 @@ def _tried(sought: Sought, start: float, scale: float, least: float) -> list[Tri
     return [each for each in (*closed, *tried[-1:]) if not math.isinf(each.missing)] or tried
 
 
-def _crossings(sought: Sought, tried: list[Trial]) -> list[tuple[Trial, Trial]]:
+def crossings(sought: Missing, tried: list[Trial]) -> list[tuple[Trial, Trial]]:
     """Pairs of values on either side of the condition, also where it is met only in between."""
     pairs = [
         (one, other)
@@ -197,7 +208,7 @@ def _crossings(sought: Sought, tried: list[Trial]) -> list[tuple[Trial, Trial]]:
     return sorted(pairs)
 
 
-def _turning(sought: Sought, before: Trial, middle: Trial, after: Trial) -> Trial:
+def _turning(sought: Missing, before: Trial, middle: Trial, after: Trial) -> Trial:
     """Go to where least is missing between three values, or just past the condition."""
     above = middle.missing > 0.0
     while after.value - before.value > 1e-7 * after.value:

@@ -14,6 +14,7 @@ from catopt.cli.output import Printer
 _PLACES = {
     "new": "new.new",
     "solve": "solve.solve",
+    "find": "find.find",
     "curve": "curve.curve",
     "check": "check.check",
     "design": "design.design",

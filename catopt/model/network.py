@@ -292,7 +292,7 @@ class Network(Checked):
             segments = each.line.segments
             if not any(segment.submerged_weight for segment in segments):
                 found.add(f"lines[{k}].segments", *weightless("network"))
-            if {each.start, each.end} & {*joints, *itertools.chain(*tied)}:
+            if {each.start, each.end} & {*joints}:
                 allowed = Message("refused_case.missing_lines_meet_joints_have")
                 for i in (i for i, segment in enumerate(segments) if segment.is_inextensible):
                     found.add(f"lines[{k}].segments[{i}].EA", "", allowed)

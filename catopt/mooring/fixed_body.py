@@ -311,6 +311,7 @@ class WithoutLoad:
                 _position(body.body, before),
                 _in_plan(whole, self.runs, found, k),
                 _floating(network, body, pose, self.runs, found.ends),
+                body.arm,
             )
             for k, (body, pose, before) in enumerate(poses)
         )

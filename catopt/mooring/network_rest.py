@@ -13,6 +13,7 @@ from catopt.display import Tabled
 from catopt.model.kinds import Angle, Force, Height, Place, Size, SomeForce
 from catopt.model.network import MooredBody, Network, Point
 from catopt.mooring.joints import JointsAtRest, Run, Vector, is_anchored, laid_out
+from catopt.mooring.zero_load import holds
 from catopt.records import From, FromZero, OrNull, Record
 
 
@@ -29,9 +30,6 @@ class Position(Record):
     yaw: Angle = 0.0
     """Counter-clockwise."""
 
-
-_ROUNDING = 1e-9
-"""Part of a stiffness below which it may be rounding."""
 
 Six = Annotated[tuple[float, ...], Size(6, 6)]
 Three = Annotated[tuple[float, ...], Size(3, 3)]
@@ -150,16 +148,13 @@ class BodyAtRest(Record):
     other bodies free to follow, and its height where it floats."""
     floating: FloatingBody
     """How it floats."""
+    arm: Height
+    """From its origin to its farthest fairlead."""
 
     @property
     def is_held(self) -> bool:
         """Whether the lines hold it against a push from any side, and a turn where it is free."""
-        (xx, xy, xm), (_, yy, ym), (_, _, mm) = self.stiffness
-        plane = xx * yy - xy * xy
-        if plane <= _ROUNDING * (xx + yy) ** 2:
-            return False
-        yaw = mm - (yy * xm * xm - 2.0 * xy * xm * ym + xx * ym * ym) / plane
-        return not self.turns or yaw > _ROUNDING * abs(mm)
+        return holds(self.stiffness, self.arm if self.turns else None)
 
     @property
     def moved(self) -> tuple[float, ...]:
@@ -272,7 +267,8 @@ class LineAtRest(Record):
         "solution.fairlead.vertical_force=to_vertical_force_N "
         "solution.anchor.tension=from_tension_N solution.fairlead.tension=to_tension_N "
         "solution.anchor.angle=from_angle_rad solution.fairlead.angle=to_angle_rad "
-        "solution.grounded_length solution.lowest_point solution.sag point_loads"
+        "solution.grounded_length solution.lowest_point solution.touchdowns solution.sag "
+        "point_loads"
     )
 
     name: str

@@ -108,7 +108,8 @@ class NumberedLine(Record):
         "state.solution.anchor.tension=anchor_tension_N "
         "state.solution.anchor.horizontal_force=anchor_horizontal_force_N "
         "state.solution.anchor.vertical_force=anchor_vertical_force_N state.solution.span "
-        "state.solution.grounded_length state.solution.lowest_point state.solution.sag "
+        "state.solution.grounded_length state.solution.lowest_point "
+        "state.solution.touchdowns state.solution.sag "
         "placed=point_loads(state.name state.position place state.seabed_reaction) utilisation"
     )
 

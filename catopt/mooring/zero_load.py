@@ -35,7 +35,7 @@ _SAME_YAW: Final = 1e-3
 """
 
 _LOOSE: Final = 1e-9
-"""Of the largest stiffness: less holds nothing."""
+"""Of the largest stiffness: less is rounding."""
 
 
 class Lines(NamedTuple):
@@ -172,13 +172,21 @@ class ZeroLoadPosition:
 
         The yaw's stiffness is that with x and y following.
         """
-        (xx, xy, xm), (_, yy, ym), (_, _, mm) = rest.stiffness
-        trace, plane = xx + yy, xx * yy - xy * xy
-        least = _LOOSE * max(trace, 1e-300)
-        if plane <= least * trace:
-            return False
-        by_following = (yy * xm * xm - 2.0 * xy * xm * ym + xx * ym * ym) / plane
-        return not self.system.turns or mm - by_following > least * self.net.scale[2] ** 2
+        return holds(rest.stiffness, self.net.scale[2] if self.system.turns else None)
+
+
+def holds(stiffness: Sequence[Sequence[float]], arm: float | None) -> bool:
+    """Whether a stiffness by x, y and yaw holds a body; its yaw where it has an arm, m.
+
+    Of the largest stiffness there, and of that on the arm, less than 1e-9 holds nothing.
+    """
+    (xx, xy, xm), (_, yy, ym), (_, _, mm) = stiffness
+    trace, plane = xx + yy, xx * yy - xy * xy
+    least = _LOOSE * max(trace, 1e-300)
+    if plane <= least * trace:
+        return False
+    by_following = (yy * xm * xm - 2.0 * xy * xm * ym + xx * ym * ym) / plane
+    return arm is None or mm - by_following > least * arm**2
 
 
 def lines_of(net: Net, known: Known) -> Lines:

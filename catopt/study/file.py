@@ -21,7 +21,14 @@ from catopt.errors import InputError, Problem, refused
 from catopt.model import Case
 from catopt.model.kinds import Kind, Measured, Seed, Size, Text, Whole
 from catopt.model.network import Network
-from catopt.study.member import Base, Computed, ConvergenceCheck, kind_of_key, read_member
+from catopt.study.member import (
+    Base,
+    Computed,
+    ConvergenceCheck,
+    document_of,
+    kind_of_key,
+    read_member,
+)
 from catopt.study.store import read_each, read_table
 from catopt.study.study import Axis, Distribution, DistributionKind, Study
 from catopt.units import Dimension, to_si
@@ -158,13 +165,7 @@ def _of_design(table: StudyTable) -> Iterator[Problem]:
 
 def _base(table: StudyTable, folder: Path, source: str) -> Base:
     place, compute = folder / table.case, table.compute
-    if place.suffix.lower() == ".toml":
-        text = read_text(place, str(place))
-    else:  # of another program: that of its case
-        from catopt.casefile import read_mooring, write_case
-
-        text = write_case(read_mooring(place))
-    document = parse_toml(text, str(place))
+    document = document_of(place)
     moored = moored_of(document)
     if (compute == "sizing") != (moored is not None):
         key = "refused_study.file_for_size" if compute == "sizing" else "refused_study.a_case_file"

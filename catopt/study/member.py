@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, Final, Literal
 
@@ -13,6 +14,7 @@ from catopt.casefile.document import hint, parts
 from catopt.casefile.reading import Moored, case_of, is_network, network_of
 from catopt.casefile.schema import CaseTable, NetworkTable, TableSchema, entries
 from catopt.checks.case import check_case
+from catopt.documents import parse_toml, read_text
 from catopt.errors import CatoptError, InputError, refused
 from catopt.largest import largest
 from catopt.model import Case
@@ -170,6 +172,15 @@ Values = dict[str, float | str]
 
 OfSizing = Callable[[int, Mapping[str, Any], "Sizing"], None]
 """Told the number of a member, from 0, its own values by key path, and its sizing."""
+
+
+def document_of(place: Path) -> dict[str, Any]:
+    """Return the document of a file, as the TOML reader does; of another program's, of its case."""
+    if place.suffix.lower() == ".toml":
+        return parse_toml(read_text(place, str(place)), str(place))
+    from catopt.casefile import read_mooring, write_case
+
+    return parse_toml(write_case(read_mooring(place)), str(place))
 
 
 def kind_of_key(base: Base, key: str) -> Kind:

@@ -227,7 +227,7 @@ def test_a_file_is_read_and_every_fault_told(tmp_path: Path) -> None:
     )
     assert found == [
         "lines[1].start: no such point; there are a, j, f, g",
-        "lines[0].segments[0].EA: missing; lines to joints and to free bodies must be elastic",
+        "lines[0].segments[0].EA: missing; lines to joints must be elastic",
     ]
     assert faults(FILE.replace('submerged_weight = "90', 'sumberged_weight = "90'), tmp_path) == [
         "lines[0].segments[0].sumberged_weight: did you mean submerged_weight?"
