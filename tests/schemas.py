@@ -44,11 +44,11 @@ from catopt.notes.report_document import WrittenNote
 from catopt.records import From, Key, Matching, OrNull, Record, parts, unit_of
 from catopt.reproduce.items import Reproduction
 from catopt.sizing.result import Sizing
+from catopt.study.finding import FoundValues
 from catopt.study.result import StudyResult
 from catopt.study.run import Plan
 from catopt.verify.case import FrontVerification
 from catopt.verify.dynamic_result import DynamicVerification
-from catopt.study.finding import FoundValues
 from catopt.verify.fatigue import FatigueReport
 from catopt.verify.result import Verification
 from catopt.verify.ship_result import ShipVerification

@@ -9,7 +9,7 @@ from functools import partial
 from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
-from catopt.answers import blocks
+from catopt.answers import blocks, places
 from catopt.answers import system as body
 from catopt.answers.blocks import (
     Block,
@@ -262,7 +262,7 @@ def _lines(note: SystemNote) -> Iterator[Block]:
     )
     columns = (number, *([names] if any(names.values) else []), *others, directions)
     yield blocks.Table("system_lines", columns, marked=solution.most_loaded)
-    yield from body.legs_tables(solution)
+    yield from places.legs_tables(solution)
     known = body.lines_used(note.checks)
     if note.used is None:
         known = Message("note_system.lines_unknown")
@@ -438,7 +438,7 @@ def network_note_answer(note: NetworkNote) -> blocks.Answer:
         _section("joints", _joints(note)),
         _section(
             "lines",
-            [lines, small("note_system.network_lines_about"), *body.places_tables(note.rest)],
+            [lines, small("note_system.network_lines_about"), *places.places_tables(note.rest)],
         ),
         damaged_section(note.sheet),
         section("components", _components(note)),

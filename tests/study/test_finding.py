@@ -185,7 +185,8 @@ def test_a_sinker_that_begins_to_slide(file: Path) -> None:
         STRUNG.replace('anchor_height = "600 m"\n', "")
         .replace("600 m", "60 m")
         .replace("110 m", "150 m")
-        + '\n[anchor]\nsubmerged_weight = "8 kN"\nfriction = 0.5\nsafety_factor = 1.5\nkind = "sinker"\n'
+        + '\n[anchor]\nkind = "sinker"\nsubmerged_weight = "8 kN"\n'
+        + "friction = 0.5\nsafety_factor = 1.5\n"
     )
     found = find_value(file, "load.span", "check.sliding = 1", "100 m", "135 m")
     (only,) = found.solutions
