@@ -27,7 +27,7 @@ from catopt.model.network import Network, Point
 from catopt.mooring.chains import rows_of
 from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.joints import Vector, reversed_line
-from catopt.mooring.network_rest import LinesAtRest
+from catopt.mooring.network_rest import BodyAtRest, LinesAtRest
 from tests.campaign.networks import counted, drawn
 
 BALANCE = 1e-8
@@ -64,7 +64,8 @@ def faults_of_answer(found: LinesAtRest) -> list[str]:
             if reaction < 0.0 or (reaction > 0.0 and height > 1e-9 * longest):
                 faults.append(f"{point.name} is carried with {reaction:.3g} N at {height:.3g} m")
     for body in found.bodies:
-        x, y, _, moment = left[body.body.name]
+        x, y, up, moment = left[body.body.name]
+        faults += _faults_of_height(body, network.site, up, limit)
         arm = max(math.hypot(*each) for each in _arms(found, places)[body.body.name].values())
         if math.hypot(x, y) > limit:
             faults.append(f"{math.hypot(x, y):.3g} N left on {body.body.name}")
@@ -85,6 +86,22 @@ def _faults_afloat(point: Point, depth: float, height: float, lost: float) -> It
     rounding = 1e-12 * (weight - point.submerged_weight) * depth / (point.float_height or depth)
     if not least - abs(rounding) <= lost <= most + abs(rounding):
         yield f"{point.name} has lost {lost:.3g} N {out:.3g} m out of the water"
+
+
+def _faults_of_height(body: BodyAtRest, site: Site, up: float, limit: float) -> Iterator[str]:
+    """Check what carries a body that floats, pulled up by its lines with so much (N)."""
+    if not body.body.floats:
+        return
+    area, draught, freeboard = body.body.afloat
+    height = draught + freeboard
+    per_metre = site.water_density * STANDARD_GRAVITY * area
+    wet = min(max(draught - body.rise, 0.0), height)
+    bed = body.floating.bed_reaction
+    over = per_metre * (wet - draught) + up + bed
+    if abs(over) > limit + 1e-12 * per_metre * max(height, site.water_depth):
+        yield f"{over:.3g} N left of the height of {body.body.name}"
+    if bed < 0.0:
+        yield f"{body.body.name} is carried with {bed:.3g} N"
 
 
 def _arms(
@@ -184,7 +201,7 @@ def _faults_of_places(found: LinesAtRest, places: dict[str, Vector]) -> Iterator
             turned = math.cos(rest.position.yaw), math.sin(rest.position.yaw)
             a, b = a - rest.body.x, b - rest.body.y
             a, b = turned[0] * a - turned[1] * b, turned[1] * a + turned[0] * b
-            a, b = rest.position.x + a, rest.position.y + b
+            a, b, c = rest.position.x + a, rest.position.y + b, c + rest.rise
         if math.dist((a, b, c), (x, y, z)) > 1e-12 * (abs(a) + abs(b) + depth):
             yield f"{point.name} is off its place"
 

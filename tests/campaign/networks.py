@@ -32,7 +32,10 @@ def drawn(seed: int) -> Network:
 
 
 def drawn_afloat(seed: int) -> Network:
-    """Draw a network of any kind in water so shallow that floats come up; some have a height."""
+    """Draw a network of any kind in water so shallow that floats come up; some have a height.
+
+    Most bodies float by their draught and freeboard, or are pulled under.
+    """
     network, draw = drawn(seed), random.Random(f"afloat {seed}")
     depth = network.site.water_depth * draw.choice([0.25, 0.5, 0.75, 1.0])
     points = []
@@ -43,7 +46,20 @@ def drawn_afloat(seed: int) -> Network:
             if draw.random() < 0.5:
                 own["float_height"] = depth * draw.uniform(1e-3, 0.3)
         points.append(replace(point, **own))
-    return replace(network, site=replace(network.site, water_depth=depth), points=tuple(points))
+    site, sides = replace(network.site, water_depth=depth), random.Random(f"bodies {seed}")
+    bodies = tuple(_afloat(body, network, depth, sides) for body in network.bodies)
+    return replace(network, site=site, points=tuple(points), bodies=bodies)
+
+
+def _afloat(body: MooredBody, network: Network, depth: float, draw: random.Random) -> MooredBody:
+    """Give most bodies a waterplane, by a reserve of buoyancy beside the weight of their lines."""
+    if draw.random() < 0.3:
+        return body
+    weight = sum(abs(line.line.submerged_weight) for line in network.lines)
+    draught, freeboard = (depth * draw.uniform(0.005, 0.1) for _ in range(2))
+    reserve = weight * 10.0 ** draw.uniform(-1.0, 1.5)
+    area = reserve / (network.site.water_density * STANDARD_GRAVITY * freeboard)
+    return replace(body, waterplane_area=area, draught=draught, freeboard=freeboard)
 
 
 class _Drawing:

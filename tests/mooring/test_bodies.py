@@ -102,10 +102,6 @@ def test_shipped_systems_rest_where_they_do(path: Path) -> None:
         solve_system(case.system)
     except (InputError, NoEquilibriumError):
         pytest.skip("a case that is refused")
-    if any(math.isinf(segment.EA) for segment in case.line.segments):
-        with pytest.raises(InputError, match="be elastic"):
-            as_points(case.system, case.site.water_depth)
-        return
     found = at_rest(as_points(case.system, case.site.water_depth))
     assert_same(found, case.system, (0.0, 0.0))
 
@@ -221,6 +217,20 @@ def test_a_body_astern_of_another_pulls_on_it() -> None:
     assert found.lines[1].horizontal_force == pytest.approx(3e5, rel=1e-8)
     with pytest.raises(InputError, match="only one"):
         hold(found.network)
+
+
+def test_a_body_on_a_line_that_does_not_stretch() -> None:
+    """A force of 30 kN on a chain of 1 kN/m: a = 30 m, what hangs is sqrt(h (h + 2 a)) long."""
+    points = [
+        Point("anchor", "anchor", 0.0, 0.0),
+        Point("eye", "fairlead", 10.0, 0.0, 50.0, body="buoy"),
+    ]
+    lines = [LineBetween(Line([Segment(120.0, 1e3)]), "anchor", "eye")]
+    buoy = MooredBody("buoy", 10.0, force=(0.0, 30e3))
+    (body,) = at_rest(Network(Site(50.0), points, lines, bodies=(buoy,))).bodies
+    hangs = math.sqrt(50.0 * (50.0 + 60.0))
+    span = 120.0 - hangs + 30.0 * math.asinh(hangs / 30.0)
+    assert (body.position.x, body.position.y) == pytest.approx((0.0, span), abs=1e-6)
 
 
 def test_a_body_turns_into_the_line_that_holds_it() -> None:
