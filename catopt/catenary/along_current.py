@@ -233,7 +233,8 @@ def _stepped(
         a + h * (35 / 384 * p + 500 / 1113 * q + 125 / 192 * r - 2187 / 6784 * s + 11 / 84 * t)
         for a, p, q, r, s, t in zip(at[1:], k1, k3, k4, k5, k6, strict=True)
     ]
-    k7 = _slope(*new[2:6], part, flow)
+    _, _, z, fx, fy, fz, _ = new
+    k7 = _slope(z, fx, fy, fz, part, flow)
     off = [
         71 / 57600 * p
         - 71 / 16695 * q

@@ -82,9 +82,12 @@ LINE: Final[Mapping[str, Word]] = MappingProxyType(
 )
 """Quantities of a line; its first end, an anchor where it has one, is `from`."""
 _AT: Final = {
-    name: Word("height" if name == "z" else "offset", lambda each, k=k: each.place[k])
-    for k, name in enumerate("xyz")
+    "x": Word("offset", lambda each: each.place[0]),
+    "y": Word("offset", lambda each: each.place[1]),
+    "z": Word("height", lambda each: each.place[2]),
+    "depth": Word("height", lambda each: each.place[2]),
 }
+"""Of what is somewhere; of a depth its height over the bed, which is taken off the water depth."""
 POINT: Final[Mapping[str, Word]] = MappingProxyType(
     {**_AT, "bed_reaction": Word("vertical_force", lambda point: point.bed_reaction)}
 )
@@ -122,6 +125,7 @@ OWN_LOAD: Final[Mapping[str, Word]] = MappingProxyType(
     {
         "x": Word("offset", lambda load: load.x),
         "z": Word("height", lambda load: load.z),
+        "depth": Word("height", lambda load: load.z),
         "bed_reaction": Word("seabed_reaction", lambda load: load.seabed_reaction),
     }
 )
@@ -145,7 +149,7 @@ class Asked:
         value = next(words[self.word].read(part) for part, words in found if self.word in words)
         if value is None:
             raise refused("--until", f"{self.part}.{self.word}", Message("study.not_known"))
-        return value
+        return read.site.water_depth - value if self.word == "depth" else value
 
     @property
     def words(self) -> str:

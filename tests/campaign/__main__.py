@@ -28,6 +28,8 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--first", type=int, default=0, help="index of the first line")
     parser.add_argument("--systems", type=int, default=0, help="how many moored bodies")
     parser.add_argument("--networks", type=int, default=0, help="how many networks, from --first")
+    parser.add_argument("--afloat", type=int, default=0, help="how many with floats and rafts")
+    parser.add_argument("--in-current", type=int, default=0, help="how many of these in a current")
     parser.add_argument(
         "--trusses", type=int, default=0, help="how many by both models, from --first"
     )
@@ -52,6 +54,14 @@ def main(arguments: list[str] | None = None) -> int:
         networks = import_module("tests.campaign.network_check")
         say(f"\n{given.networks:,} networks from {given.first}")
         failures += networks.run(given.networks, given.first, say)
+    if given.afloat > 0:
+        networks = import_module("tests.campaign.network_check")
+        say(f"\n{given.afloat:,} networks afloat from {given.first}")
+        failures += networks.run_afloat(given.afloat, given.first, say)
+    if given.in_current > 0:
+        streaming = import_module("tests.campaign.current_check")
+        say(f"\n{given.in_current:,} networks in a current from {given.first}")
+        failures += streaming.run(given.in_current, given.first, say)
     if given.trusses > 0:
         trusses = import_module("tests.campaign.truss_check")
         say(f"\n{given.trusses:,} networks from {given.first} by both models")

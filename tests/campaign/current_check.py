@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import random
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from typing import Any
 
@@ -22,6 +22,7 @@ from catopt.model.sea import CurrentProfile
 from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.joints import pulls_of, reversed_line
 from catopt.mooring.network_rest import LinesAtRest, LinesInCurrent
+from tests.campaign import network_check
 from tests.campaign.networks import drawn_afloat
 
 ARRIVES, BALANCE = 1e-7, 1e-6
@@ -182,3 +183,8 @@ def judge_in_current(seed: int) -> tuple[str, list[str]]:
         return f"refused: {str(error)[:60]}", []
     assert isinstance(found, LinesInCurrent)
     return "answered", [*faults_in_current(found)]
+
+
+def run(count: int, first: int, tell: Callable[[str], object]) -> int:
+    """Judge networks; as `network_check.run`."""
+    return network_check.run(count, first, tell, judge_in_current)

@@ -1,6 +1,6 @@
 """A campaign over networks: each answer and each refusal of `at_rest` is checked.
 
-    python -m tests.campaign --lines 0 --networks 10000
+    python -m tests.campaign --lines 0 --networks 10000 --afloat 2000
 
 An answer is checked at its own places: those of fairleads by own geometry, the ends of each line by
 `solve(span=)`, and their sums at every joint and every body. A refusal for friction is right where
@@ -28,7 +28,7 @@ from catopt.mooring.chains import rows_of
 from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.joints import Vector, reversed_line
 from catopt.mooring.network_rest import BodyAtRest, LinesAtRest
-from tests.campaign.networks import counted, drawn
+from tests.campaign.networks import counted, drawn, drawn_afloat
 
 BALANCE = 1e-8
 """Part of the largest tension that may be left: ten times what the solver itself lets stand."""
@@ -269,7 +269,17 @@ def judge(seed: int, draw: Callable[[int], Network] = drawn) -> tuple[str, list[
     return "answered", faults_of_answer(found)
 
 
-def run(count: int, first: int, tell: Callable[[str], object]) -> int:
+def run_afloat(count: int, first: int, tell: Callable[[str], object]) -> int:
+    """Do the same where floats and bodies come to the surface."""
+    return run(count, first, tell, lambda seed: judge(seed, drawn_afloat))
+
+
+def run(
+    count: int,
+    first: int,
+    tell: Callable[[str], object],
+    judge: Callable[[int], tuple[str, list[str]]] = judge,
+) -> int:
     """Judge networks; tell of each that failed, and how many came to what. How many failed."""
 
     def judged(seed: int) -> tuple[str, str]:

@@ -366,6 +366,6 @@ def test_random_rafts() -> None:
 
 @pytest.mark.slow
 def test_three_hundred_random_rafts() -> None:
-    both, unlike = rafts_compared(range(350))
+    both, unlike = rafts_compared(range(500))
     assert unlike == []
     assert both >= 300

@@ -104,6 +104,8 @@ def test_a_cable_that_reaches_a_depth(file: Path) -> None:
     assert only.reached == pytest.approx(100.0, rel=1e-8)
     assert abs(only.residual) < 1e-8
     assert found.key == "lines[0].segments[0].length"
+    (same,) = find_value(file, found.key, "weight.depth = 100 m").solutions
+    assert same.value == pytest.approx(length, rel=1e-9)
     mooring = found.mooring()
     assert at_rest(mooring).place_of("weight")[2] == pytest.approx(100.0, rel=1e-8)
     assert (found.low, found.high) == (6.0, 600.0)
@@ -165,7 +167,7 @@ def test_where_nothing_gives_it_the_nearest_is_told(file: Path) -> None:
         ("points[weight].name", "weight.z = 1 m", None, "number is required"),
         ("points[weight].submerged_weight", "weight = 1 m", None, "weight.z = 100 m"),
         ("points[weight].submerged_weight", "ring.z = 1 m", None, "weight"),
-        ("points[weight].submerged_weight", "weight.depth = 1 m", None, "bed_reaction"),
+        ("points[weight].submerged_weight", "weight.draught = 1 m", None, "bed_reaction"),
         ("points[weight].submerged_weight", "weight.z = 1 kN", None, "length"),
         ("points[weight].drag_area", "weight.z = 1 m", None, "no number at"),
         ("points[weight].submerged_weight", "weight.z = 1 m", "9 kN", "must be below"),
