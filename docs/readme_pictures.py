@@ -1,36 +1,69 @@
-"""Draws README's and the home page's pictures: ``python docs/readme_pictures.py``."""
+"""Draws README's and the guide's pictures: ``python docs/readme_pictures.py [NAME ...]``."""
 
 from __future__ import annotations
 
+import sys
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 import catopt
-from catopt.figures.line import line_in_water
-from catopt.figures.sizing import elevation, front, front_lines, swing_circle
+from catopt.figures.sizing import (
+    elevation,
+    front,
+    front_lines,
+    swing_circle,
+    tension_by_length,
+)
 from catopt.render.picture import pictures
 
 HERE = Path(__file__).parent
 CASES = HERE.parent / "cases"
 
 
-def main() -> None:
-    """Draw the mooring of README's first command, S3's tanker with a front, and a buoy."""
-    case = catopt.read_case(CASES / "tanker-20m" / "case.toml")
-    line = line_in_water(catopt.solve_case(case), case.site.water_depth)
+def draw_front() -> bytes:
+    """Draw S3's tanker with the front of her designs."""
     found = catopt.design_case(catopt.read_case(CASES / "design-tanker-20m" / "case.toml"))
     document = found.to_dict()
     charts = (front(document), front_lines(found, document))
-    files = pictures("picture-line", line, case.title)
-    files |= pictures("picture-front", charts, found.case.title)
+    return pictures("front", charts, found.case.title)["front.png"]
+
+
+def draw_buoy() -> bytes:
+    """Draw a buoy on its chain, from the side and from above."""
     buoy = catopt.size_buoy("pillar 1.8 m", depth="12 m")
     title = "Pillar 1.8 m, 12 m of water"
-    files |= pictures("picture-buoy", (elevation(buoy), swing_circle(buoy)), title)
+    return pictures("buoy", (elevation(buoy), swing_circle(buoy)), title)["buoy.png"]
+
+
+def draw_ship() -> bytes:
+    """Draw the mooring of README's first command."""
     ship = catopt.size_tanker(dwt="50000 t", depth="20 m")
     title = "Tanker of 50,000 DWT, 20 m of water"
-    files |= pictures("picture-ship", elevation(ship), title)
-    for name in ("picture-line.png", "picture-front.png", "picture-buoy.png", "picture-ship.png"):
-        (HERE / name).write_bytes(files[name])
+    return pictures("ship", elevation(ship), title)["ship.png"]
+
+
+def draw_by_length() -> bytes:
+    """Draw what the length of a buoy's chain does in the storm; it takes some minutes."""
+    buoy = catopt.size_buoy("pillar 1.8 m", depth="12 m", in_motion=True, other_lengths=5)
+    assert buoy.in_motion is not None
+    title = "Pillar 1.8 m, 12 m of water"
+    return pictures("by-length", tension_by_length(buoy.in_motion), title)["by-length.png"]
+
+
+PICTURES: dict[str, Callable[[], bytes]] = {
+    "picture-front.png": draw_front,
+    "picture-buoy.png": draw_buoy,
+    "picture-ship.png": draw_ship,
+    "picture-by-length.png": draw_by_length,
+}
+"""By their files beside this one."""
+
+
+def main(names: Sequence[str]) -> None:
+    """Draw pictures anew, all where none is named."""
+    for name in names or PICTURES:
+        (HERE / name).write_bytes(PICTURES[name]())
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1:])

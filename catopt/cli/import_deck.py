@@ -14,11 +14,18 @@ from catopt.cli.options import CountOption, LengthOption, PlaceOption
 from catopt.cli.values import positive, refused
 from catopt.decks.reading import Asked as Missing
 from catopt.decks.reading import is_deck, is_yaml, read_any_deck, refuse_yaml
-from catopt.documents import read_text
+from catopt.documents import parse_toml, read_text
 from catopt.errors import InputError
 from catopt.model.kinds import Findings
 from catopt.units import Dimension, bare_number, to_si
 from catopt.words import Message
+
+
+def _is_case(text: str) -> bool:
+    try:
+        return bool({"site", "line", "points"} & parse_toml(text, "").keys())
+    except InputError:
+        return False
 
 
 @answering(PlaceOption, without=["units"])
@@ -46,6 +53,8 @@ def import_deck(
     text = read_text(file, str(file), kind="input file", broken=True)
     if not is_deck(text) and is_yaml(text, str(file)):
         raise refuse_yaml(text, str(file))
+    if not is_deck(text) and _is_case(text):
+        raise refused("FILE", str(file), Message("refused_command.is_a_case_already", file=file))
     if not is_deck(text):
         raise refused("FILE", str(file), Message("refused_command.input_file_moordyn_or_map"))
     read, remarks = read_any_deck(text, str(file), missing)

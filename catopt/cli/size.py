@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import os
 from collections.abc import Callable, Collection, Mapping
+from dataclasses import replace
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Annotated, Any, TypeVar
@@ -274,6 +275,7 @@ def _give(asked: Asked, found: Sizing, answer: Answer, save: Path | None, given:
         from catopt.report.bundle import write_files
 
         case = found.whole_case
+        case = replace(case, title=say(case.title, asked.language))
         write_files(save.parent, {save.name: write_case(case).encode()})
         onward = "to_be_run" if case.design is None else "to_be_refined"
         asked.output.note(Message(f"beside.{onward}", place=save))

@@ -93,10 +93,10 @@ def _embedded(picture: Path) -> str:
     """Read a picture as an address that holds it; InputError for what is none."""
     kind = _PICTURES.get(picture.suffix.lower())
     wanted = Message("refused_file.a_logo", most=_MOST_OF_A_LOGO / 1e6)
-    try:
-        content = picture.read_bytes()
-    except OSError as error:
-        raise refused("document.logo", f"{picture}: {error.strerror}", wanted) from None
+    if not picture.is_file():
+        there_is = Message("notes.no_such_picture", path=picture)
+        raise refused("document.logo", there_is, wanted)
+    content = picture.read_bytes()
     if kind is None or len(content) > _MOST_OF_A_LOGO:
         raise refused("document.logo", str(picture), wanted)
     return f"data:image/{kind};base64,{base64.b64encode(content).decode()}"

@@ -41,13 +41,21 @@ def case_of(
         line=first_line(line, env.water_density, length),
         load=None,
         checks=line.checks_beyond(rest),
-        title=request.title or Message("sizing.title", body=body, depth=env.levels.high),
+        title=request.title or Message("sizing.title", body=body, depth=_depth(request)),
         source=request.source or f"catopt size {kind}",
         document=request.document,
         service=line.service,
         catalogue=line.catalogue,
         **own,
     )
+
+
+def _depth(request: BuoyRequest | TankerRequest) -> str:
+    """Say the depth in the unit in which it was given."""
+    for each in request.inputs:
+        if each.of.name == "depth":
+            return each.said
+    return Message("sizing.in_unit", value=request.environment.levels.high, unit="m")
 
 
 def worn_name(load_case: str) -> Message:

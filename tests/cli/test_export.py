@@ -50,3 +50,11 @@ def test_lines_between_points_go_out(run: Run) -> None:
     refused = run("export", raft, "--to", "dxf", "--load-case", "storm")
     assert refused.status == 2
     assert '--load-case: found "storm"; the case has no' in refused.err
+
+
+def test_a_case_needs_no_import(run: Run) -> None:
+    for language, said in (("en", "a case file already"), ("vi", "đã là tệp bài toán")):
+        refused = run("import", BUOY, "--lang", language)
+        assert refused.status == 2
+        assert said in refused.err
+        assert f"catopt solve {BUOY}" in refused.err

@@ -6,10 +6,12 @@ import math
 import re
 import shutil
 import subprocess
+import tomllib
 import zipfile
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
+from importlib.resources import files
 from io import BytesIO
 from pathlib import Path
 from typing import Any
@@ -181,3 +183,13 @@ def test_libreoffice_opens_recalculates_and_prints_it(tmp_path: Path) -> None:
                 assert math.isclose(there.value, cell.value, rel_tol=FIFTEEN_DIGITS), (name, cell)
         pages = (written / f"{name}.pdf").read_bytes()
         assert len(re.findall(rb"/Type\s*/Page\b", pages)) >= len(ours.sheetnames)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_headings_of_notes_fit_a_tab_whole(language: Language) -> None:
+    """Excel takes 31 letters."""
+    folder = files("catopt.words.texts")
+    for name in ("note", "note_first", "note_sheet", "note_size", "note_system", "note_motion"):
+        texts = tomllib.loads(folder.joinpath(f"{name}.toml").read_text("utf-8"))
+        found = [of[language] for key, of in texts.items() if key.endswith("_heading")]
+        assert [heading for heading in found if len(heading) > 31] == []
