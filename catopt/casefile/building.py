@@ -30,7 +30,6 @@ from catopt.model import (
     Checks,
     Line,
     Segment,
-    SegmentChoice,
     Site,
     System,
     TitleBlock,
@@ -179,7 +178,8 @@ def from_catalogue(case: FileSection, folder: str) -> FromCatalogue:
     found = FromCatalogue()
     lines = case.tables("lines") if "lines" in entries(case.schema) else [case.table("line")]
     of_line = [segment for line in lines for segment in line.tables("segments")]
-    of_design = case.table("design").tables("segments") if "design" in entries(case.schema) else []
+    design = case.table("design")
+    of_design = design.tables("groups" if "groups" in entries(design.schema) else "segments")
     named = list(_named([*of_line, *of_design]))
     if not named and "file" not in case.table("catalogue"):
         return found
@@ -379,7 +379,10 @@ def network_parts(
     """Build what a file has beside its points, lines and bodies."""
     build = _Builder(catalogue, FilePath(folder).absolute(), site)
     given = table.given()
-    keys = ("document", "waves", "current", "motion", "dynamics", "checks", "service", "anchor")
+    keys = (
+        *("document", "waves", "current", "motion", "dynamics", "checks", "service", "anchor"),
+        "design",
+    )
     found = {key: build.part(given[key], (key,)) for key in keys if key in given}
     found["accept"] = tuple(given.get("accept") or ())
     if table.catalogue:
@@ -445,7 +448,8 @@ class _Builder:
                 components = (names[*own, "component"],)
             one, many = given.pop("diameter", None), given.pop("diameters", ())
             diameters = tuple(sorted(many)) if one is None else (one,)
-            return SegmentChoice(**given, components=components, diameters=diameters)
+            assert table.model is not None
+            return table.model(**given, components=components, diameters=diameters)
         if isinstance(table, FatigueSeaStateTable):
             given["share"] = share_of_year(given) or 0.0
             given.pop("time_per_year", None)

@@ -361,6 +361,18 @@ def design_findings(case: FileSection) -> list[Finding]:
     ]
 
 
+def group_findings(case: FileSection) -> Iterator[Finding]:
+    """Find what contradicts itself in the groups of a design of lines between points."""
+    for choice in case.table("design").tables("groups"):
+        yield from ranges.findings(LENGTHS, choice, required=True)
+        if all(key in choice for key in _COMPONENTS):
+            both = Message("refused_file.two_keys", one="component", other="components")
+            yield Finding(choice.path, both, Message("refused.only_one"))
+        yield from _sizes(choice)
+        if choice.lacks(*_COMPONENTS) and (key := next((k for k in SIZES if k in choice), "")):
+            yield choice.wrong(key, Message("refused.with_components"))
+
+
 def _design_segment(
     choice: FileSection, index: int, own: FileSection | None, *, is_clear: bool
 ) -> Iterator[Finding]:

@@ -18,6 +18,7 @@ from catopt.casefile.building import (
 from catopt.casefile.consistency import (
     consistency_findings,
     design_findings,
+    group_findings,
     limit_findings,
     segment_findings,
     without_site,
@@ -96,7 +97,7 @@ def network_of(document: dict[str, Any], source: str = "", *, folder: str = "") 
     findings += catalogue.findings
     for line in case.tables("lines"):
         findings += [each for part in line.tables("segments") for each in segment_findings(part)]
-    findings += [*limit_findings(case, []), *network_motion_findings(case)]
+    findings += [*limit_findings(case, []), *network_motion_findings(case), *group_findings(case)]
     findings += plausibility_findings(case, findings)
     refuse(document, findings, source)
     with accepting(table.accept or ()):
@@ -270,24 +271,28 @@ def read_mooring_or_design(path: Path, design: int | None) -> Case | Network:
     return read_mooring(path)
 
 
-def read_design(directory: Path, number: int) -> Case:
+def read_design(directory: Path, number: int) -> Case | Network:
     """Read a design out of the directory that ``catopt design --out`` wrote, as a case of its own.
 
-    It is the case of the search with the line and the anchor of the design; nothing varies any
-    more. A whole mooring is under the force that takes it farthest. Numbers count from 1, as in the
-    tables of the front. InputError: no result directory, or no such design.
+    It is the case of the search with the line and the anchor of the design, or with the lines of
+    its groups; nothing varies any more. A whole mooring is under the force that takes it farthest.
+    Numbers count from 1, as in the tables of the front. InputError: no result directory, or no such
+    design.
     """
     front = read_design_document(directory)["front"]
     if not 1 <= number <= len(front):
         allowed = Message("refused_command.front_has_designs_1", front=len(front))
         raise refused("--design", str(number), allowed, "options")
-    case = read_case_or_design(directory / DESIGN_CASE, None)
+    case = read_mooring(directory / DESIGN_CASE)
     design = front[number - 1]
     title = f"{case.title}, design {number}" if case.title else f"Design {number}"
     try:
         with accepting(case.accept):
+            segments = [_design_segment(each, case) for each in design["segments"]]
+            if isinstance(case, Network):
+                return replace(case.made_of(segments), title=title)
             line = Line(
-                [_design_segment(each, case) for each in design["segments"]],
+                segments,
                 [PointLoad(**attributes(each)) for each in design["point_loads"]],
             )
             sinker = design.get("sinker")
@@ -321,7 +326,7 @@ def read_design_document(directory: Path) -> dict[str, Any]:
     return found
 
 
-def _design_segment(each: dict[str, Any], case: Case) -> Segment:
+def _design_segment(each: dict[str, Any], case: Case | Network) -> Segment:
     """Build a segment of a design; drag and added mass are its model's, or its component's."""
     from catopt.catalogue.choice import chosen
 
@@ -331,7 +336,8 @@ def _design_segment(each: dict[str, Any], case: Case) -> Segment:
     kept = {field.name for field in fields(Segment)} - {"length", *_MOTION}
     same = [
         own
-        for own in case.line.segments
+        for line in case.every_line
+        for own in line.segments
         if all(getattr(own, key) == getattr(segment, key) for key in kept)
     ]
     if not same and segment.component and segment.nominal_diameter is not None:

@@ -276,6 +276,14 @@ class SegmentChoiceTable(TableSchema):
     diameter: Length | None = None
 
 
+class GroupChoiceTable(SegmentChoiceTable):
+    """What one segment of several lines between points may be."""
+
+    model = model.GroupChoice
+    keys = """name lines segment component components diameter diameters diameter_min
+        diameter_max lengths"""
+
+
 class ClumpWeightChoiceTable(TableSchema):
     """What one clump weight of a design may be."""
 
@@ -300,6 +308,13 @@ class DesignTable(TableSchema):
     choices = (RADII, PRETENSIONS)
 
     clump_weights: Annotated[list[ClumpWeightChoice], Size(0, MOST_TABLES)] | None = None
+
+
+class GroupDesignTable(TableSchema):
+    """What of lines between points may vary, and what it is to be best in."""
+
+    model = model.GroupDesign
+    keys = "objectives method evaluations population seed max_enumerated groups"
 
 
 class WavesTable(TableSchema):
@@ -399,7 +414,7 @@ class NetworkTable(TableSchema):
 
     model = Network
     keys = """title source document accept site points lines bodies waves current motion dynamics
-        checks service anchor catalogue"""
+        checks service anchor catalogue design"""
 
     motion: EndMotionTable | None = None
 

@@ -9,12 +9,13 @@ import typer
 
 from catopt.answers.design import design_answer
 from catopt.casefile import write_case
-from catopt.casefile.reading import DESIGN_CASE, read_case_or_design
+from catopt.casefile.reading import DESIGN_CASE, read_mooring_or_design
 from catopt.cli.answering import INTERRUPTED, Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, OutOption
 from catopt.cli.values import by_option, given_ones
 from catopt.errors import refused
 from catopt.model import Case
+from catopt.model.network import Network, require_case
 from catopt.words import Message, say
 
 if TYPE_CHECKING:
@@ -35,13 +36,15 @@ def design(
     """Search the lines that are best in mass and offset at once."""
     asked.check_place(for_case=True)
     how = given_ones(method=method, evaluations=evaluations, seed=seed)
-    how |= {"in_motion": True} if in_motion else {}
-    read = read_case_or_design(case, None)
+    read = read_mooring_or_design(case, None)
     if read.design is None:
         allowed = Message("refused_command.missing_table_design_says_what")
         raise refused("design", "", allowed, str(case))
     with by_option():
-        read = replace(read, design=replace(read.design, **how))
+        if in_motion and isinstance(read, Network):
+            raise refused("in-motion", "", Message("refused_command.no_groups_in_motion"))
+        how |= {"in_motion": True} if in_motion else {}
+        read = replace(read, design=replace(read.design, **how))  # type: ignore[arg-type]
     from catopt.design.neighbours import NoFeasibleDesignError
 
     try:
@@ -75,7 +78,7 @@ def give_design(asked: Asked, result: DesignResult) -> None:
     asked.give(design_answer(result), result.to_dict, further=further)
 
 
-def _found(asked: Asked, case: Case) -> DesignResult:
+def _found(asked: Asked, case: Case | Network) -> DesignResult:
     """Search designs that pass at rest or, where the case says so, in motion, too."""
     assert case.design is not None
     if not case.design.in_motion:
@@ -86,4 +89,4 @@ def _found(asked: Asked, case: Case) -> DesignResult:
     from catopt.study.design_in_motion import design_in_motion
 
     with asked.output.progress(Message("beside.designs_in_motion")) as tell:
-        return design_in_motion(case, progress=tell, announce=asked.output.note)
+        return design_in_motion(require_case(case), progress=tell, announce=asked.output.note)

@@ -33,7 +33,7 @@ from catopt.cli.answering import FAILED, INTERRUPTED, STOPPED, Asked, Documents,
 from catopt.cli.values import refuse, with_known_codes
 from catopt.errors import Problem
 from catopt.model import Case
-from catopt.model.network import Network
+from catopt.model.network import Network, require_case
 from catopt.verify.convergence_check import ELEMENTS, TOLERANCE, ConvergenceCheck, check_settings
 from catopt.verify.motion_words import not_converged_sentence, stopped_sentence
 from catopt.words import Message
@@ -316,7 +316,7 @@ def _designs(directory: Path, front: list[dict[str, Any]]) -> Iterator[Design]:
     from catopt.verify.case import Design
 
     for number, entry in enumerate(front, start=1):
-        case = read_design(directory, number)
+        case = require_case(read_design(directory, number), str(directory))
         states = {state.name for state in case.load_cases}
         governing = [
             check["load_case"]

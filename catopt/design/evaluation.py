@@ -17,7 +17,7 @@ from catopt.checks.evaluation import NO_CHECK
 from catopt.compiled import compiled
 from catopt.design.assess import ANCHOR_LOAD, COST, EXCURSION, LENGTH, MASS, OFFSET, assess
 from catopt.design.front import Evaluated, Floats, Genes
-from catopt.design.result import OBJECTIVES_MADE, DesignPoint, Neighbour
+from catopt.design.result import OBJECTIVES_MADE, DesignLoadCase, DesignPoint, Neighbour
 from catopt.design.space import DesignSpace, resolve
 from catopt.design.tables import Tables, room, tables_of
 from catopt.errors import CatoptError
@@ -201,6 +201,20 @@ class DesignProblem:
             return self.case.anchor
         index = int(self.assess(np.array([genes])).sinker[0])
         return sinker_of(self.case, self.design.sinker, index)
+
+    def load_cases(self, best: DesignPoint) -> tuple[DesignLoadCase, ...]:
+        """List what every design is checked in, as one is."""
+        states = {each.name: each for each in self.case.load_cases}
+        return tuple(
+            DesignLoadCase(
+                name,
+                states[name].kind if name in states else "extreme",
+                states[name].water_level if name in states else 0.0,
+                solution.horizontal_force,
+                solution.fairlead_height,
+            )
+            for name, solution in best.checks.solutions
+        )
 
     def present(self) -> DesignPoint:
         """Check the line of the case; a sinker that the search chooses is not part of it."""

@@ -17,8 +17,8 @@ from catopt.design.assess import BOUNDS, COST, MASS
 from catopt.design.assess_mooring import Search, assess_moorings
 from catopt.design.evaluation import Assessed, DesignProblem
 from catopt.design.front import Floats, Genes
-from catopt.design.mooring_point import mooring_point
-from catopt.design.result import DesignPoint
+from catopt.design.mooring_point import mooring_point, under
+from catopt.design.result import DesignLoadCase, DesignPoint
 from catopt.design.space import (
     ClumpWeightVariable,
     DesignSpace,
@@ -140,6 +140,23 @@ class MooringProblem(DesignProblem):
         lines = len(found.system.legs)
         objectives = self._by_key(line, found.offset, None, found.anchor_load, lines)
         return DesignPoint(line, self.case.anchor, genes, objectives, found.checks, found)
+
+    def load_cases(self, best: DesignPoint) -> tuple[DesignLoadCase, ...]:
+        """List every load from every side."""
+        del best
+        return tuple(
+            DesignLoadCase(
+                under(load, angle),
+                "extreme",
+                load.water_level,
+                load.force,
+                self.case.fairlead_height + load.lift,
+                angle,
+                load.line_out,
+            )
+            for load in self.loads
+            for angle in load.directions
+        )
 
     def present(self) -> DesignPoint:
         """Check the mooring of the case."""

@@ -9,10 +9,10 @@ from typing import Annotated, Any, TypedDict
 
 from catopt.checks.result import CheckReport, CheckResult, ChecksInMotion
 from catopt.checks.verdict import Judgement, Matter, verdict_of
-from catopt.design.mooring_point import MooringPoint, under
+from catopt.design.mooring_point import MooringPoint
 from catopt.display import Displayable
 from catopt.model import Anchor, Case, Line
-from catopt.model.design import FoundBy, loads_of
+from catopt.model.design import FoundBy
 from catopt.model.kinds import (
     Angle,
     Height,
@@ -25,6 +25,7 @@ from catopt.model.kinds import (
     SomeMass,
 )
 from catopt.model.load import LoadCaseKind
+from catopt.model.network import Network
 from catopt.records import Counted, From, FromZero, Record
 from catopt.words import Measure, Message, Several
 from catopt.words.message_records import messages_in
@@ -288,7 +289,7 @@ class DesignPoint(Displayable, Record):
     @property
     def spans(self) -> tuple[Place, ...]:
         """The span in each load case, in the order of load_cases; empty of a whole mooring."""
-        solutions = () if self.mooring else self.checks.solutions
+        solutions = () if self.mooring or self.checks.places else self.checks.solutions
         return tuple(solution.span for _, solution in solutions)
 
     @property
@@ -390,7 +391,9 @@ class DesignResult(Displayable, Record):
         "reference_point seed interrupted warnings excluded? in_motion? judgement=verdict~"
     )
 
-    case: Case  # what was asked
+    case: Case | Network  # what was asked
+    load_cases: Annotated[tuple[DesignLoadCase, ...], From(1)]
+    """Every design is checked in each."""
     objectives: Annotated[tuple[Annotated[str, OneOf(OBJECTIVES_MADE)], ...], Size(2, 3)]
     """Keys of each design that were made small."""
     front: Annotated[tuple[DesignPoint, ...], From(1)]
@@ -446,36 +449,6 @@ class DesignResult(Displayable, Record):
     def recommended_index(self) -> FromZero:
         """Index into front, counted from 0: the knee."""
         return self.recommended - 1
-
-    @property
-    def load_cases(self) -> Annotated[tuple[DesignLoadCase, ...], From(1)]:
-        """Every design is checked in each."""
-        design, height = self.case.design, self.case.fairlead_height
-        if design is not None and self.case.several_lines:
-            return tuple(
-                DesignLoadCase(
-                    under(load, angle),
-                    "extreme",
-                    load.water_level,
-                    load.force,
-                    height + load.lift,
-                    angle,
-                    load.line_out,
-                )
-                for load in loads_of(design, self.case.own_system)
-                for angle in load.directions
-            )
-        states = {each.name: each for each in self.case.load_cases}
-        return tuple(
-            DesignLoadCase(
-                name,
-                states[name].kind if name in states else "extreme",
-                states[name].water_level if name in states else 0.0,
-                solution.horizontal_force,
-                solution.fairlead_height,
-            )
-            for name, solution in self.front[0].checks.solutions
-        )
 
     def to_dict(self) -> dict[str, Any]:
         """Build the document that ``catopt design --json`` prints (schema catopt.design/1)."""

@@ -28,13 +28,14 @@ from catopt.design.front import (
     knee,
     reference_point,
 )
+from catopt.design.groups import GroupProblem
 from catopt.design.mooring import MooringProblem
 from catopt.design.neighbours import ends, neighbours, no_feasible_design
 from catopt.design.result import DesignPoint, DesignResult
 from catopt.errors import NotConvergedError, refused
 from catopt.model import Case
 from catopt.model.design import FoundBy, SearchMethod
-from catopt.model.network import Network, require_case
+from catopt.model.network import Network
 from catopt.progress import Progress
 from catopt.words import Listed, Message
 
@@ -163,6 +164,7 @@ def answer(problem: DesignProblem, found: Found) -> DesignResult:
     is_whole = found.method == "enumeration" and not outcome.interrupted
     return DesignResult(
         case=problem.case,
+        load_cases=problem.load_cases(front[0]),
         objectives=keys,
         front=front,
         recommended=best.index + 1,
@@ -254,7 +256,7 @@ def design_case(
 
     Parameters
     ----------
-    case : Case
+    case : Case or Network
         With a design, which says what may vary and what is made small.
     method : {"auto", "enumeration", "nsga2", "swarm"}, optional
         Instead of the design's own. A search that may evaluate as many designs as there are gives
@@ -287,7 +289,6 @@ def design_case(
     >>> len(result.front), all(point.checks.passes for point in result.front)
     (21, True)
     """
-    case = require_case(case)
     if case.design is not None and case.design.in_motion:
         allowed = Message("refused_case.designs_in_motion_by")
         raise refused("design.in_motion", "true", allowed, "design")
@@ -298,8 +299,13 @@ def design_case(
     return search_design(problem_of(case), progress, announce)
 
 
-def problem_of(case: Case) -> DesignProblem:
-    """Make the problem of a case: of lines, or of whole moorings; errors as for `design_case`."""
+def problem_of(case: Case | Network) -> DesignProblem:
+    """Make the problem of a case: of lines, of whole moorings, or of lines between points.
+
+    Errors as for `design_case`.
+    """
+    if isinstance(case, Network):
+        return GroupProblem.of(case)
     case.site.check_level()
     case.check_still_water()
     is_mooring = case.design is not None and case.several_lines

@@ -20,6 +20,7 @@ from catopt.errors import InputError, Problem
 from catopt.model import Case, ClumpWeightChoice, Line, LoadCase, PointLoad, Segment, SegmentChoice
 from catopt.model.kinds import Findings
 from catopt.model.line import line_kind, weight_in_water
+from catopt.model.network import Network
 from catopt.model.plausible_ranges import NAMES
 from catopt.words import Listed, Message, Several
 
@@ -233,7 +234,7 @@ class DesignSpace:
 
 
 def resolve(
-    case: Case, criteria: Criteria, states: Sequence[LoadCase]
+    case: Case | Network, criteria: Criteria, states: Sequence[LoadCase]
 ) -> tuple[DesignSpace, tuple[str, ...]]:
     """Look up what each segment and clump weight of a case's design may be.
 
@@ -248,11 +249,11 @@ def resolve(
     warnings: list[str] = []
     variables = []
     for index, choice in enumerate(case.design.segments):
-        key = f"design.segments[{index}]"
+        key = f"design.{case.design.varied}[{index}]"
         components = list(_components(choice, catalogue, key, found))
         warnings += _doubts(components, catalogue.families)
         options = [
-            replace(each.segment(choice.lengths[0]), **_wear(case, index, each))
+            replace(each.segment(choice.lengths[0]), **_wear(case.segment_for(index), each))
             for each in components
         ]
         if not choice.components:
@@ -307,29 +308,27 @@ def _bounds(choice: SegmentChoice) -> Message:
     return Several(parts, " ") if parts else Message("refused_case.give_diameters")
 
 
-def _wear(case: Case, index: int, component: Component) -> dict[str, Any]:
+def _wear(own: Segment | None, component: Component) -> dict[str, Any]:
     """Wear that the case's line has of its own at this place.
 
     It goes with the place in the water, not with the size; but what steel loses to corrosion says
     nothing of a fibre rope.
     """
-    if index >= len(case.line.segments):
+    if own is None:
         return {}
-    own = case.line.segments[index]
     if line_kind(component.family) == "rope" and line_kind(own.component) != "rope":
         return {}
     return {"wear_rate": own.wear_rate, "wear_zone": own.wear_zone}
 
 
 def _own(
-    case: Case, index: int, choice: SegmentChoice, key: str, found: Findings
+    case: Case | Network, index: int, choice: SegmentChoice, key: str, found: Findings
 ) -> Iterator[Segment]:
     """Yield the segment of the case's line at this place, whose length alone varies."""
-    if index < len(case.line.segments):
-        segment = case.line.segments[index]
+    if (segment := case.segment_for(index)) is not None:
         yield replace(segment, length=choice.lengths[0], name=segment.name or choice.name)
     else:
-        count = len(case.line.segments)
+        count = len(case.every_line[0].segments)
         allowed = Message("refused_case.missing_line_segments_has_only", segments=count)
         found.add(f"{key}.components", "", allowed)
 
@@ -393,7 +392,7 @@ _USED = ("mass", "volume_diameter", "MBL", "proof_load", "wet_strength_factor", 
 
 
 def _clump_weight(
-    choice: ClumpWeightChoice, case: Case, key: str, found: Findings
+    choice: ClumpWeightChoice, case: Case | Network, key: str, found: Findings
 ) -> ClumpWeightVariable:
     water = case.site.water_density
     if choice.density <= water:

@@ -7,6 +7,8 @@ from catopt.model.design import (
     Design,
     DesignLoad,
     Find,
+    GroupChoice,
+    GroupDesign,
     SegmentChoice,
     SinkerChoice,
 )
@@ -34,6 +36,8 @@ __all__ = [
     "FatigueSeaState",
     "Find",
     "Floater",
+    "GroupChoice",
+    "GroupDesign",
     "HullAfloat",
     "Leg",
     "Line",

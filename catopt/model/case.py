@@ -30,7 +30,7 @@ from catopt.model.kinds import (
     Share,
     Whole,
 )
-from catopt.model.line import Line
+from catopt.model.line import Line, Segment
 from catopt.model.load import Checks, Load, LoadCase, Site
 from catopt.model.plausible_ranges import accepted_in
 from catopt.model.sea import CurrentProfile, Motion, WaveState
@@ -279,6 +279,11 @@ class Case(Checked):
     def own_force(self) -> tuple[float, float]:
         """On its body along x and y, N; 0 where it has one line."""
         return self.own_system.force if self.several_lines else (0.0, 0.0)
+
+    def segment_for(self, choice: int) -> Segment | None:
+        """Segment of the line in the place of what its design chooses; None where there is none."""
+        segments = self.line.segments
+        return segments[choice] if choice < len(segments) else None
 
     @property
     def keyed_joints(self) -> tuple[()]:

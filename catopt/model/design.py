@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Literal, get_args
+from typing import Annotated, ClassVar, Literal, get_args
 
 from catopt.errors import Problem
 from catopt.model.kinds import (
@@ -154,6 +154,7 @@ FoundBy = Literal["enumeration", "nsga2", "swarm"]
 SearchMethod = Literal["auto", FoundBy]
 
 Component = Annotated[str, Text(filled=True, example='"chain studless R3"')]
+LineName = Annotated[str, Text(filled=True, example='"leg west"')]
 StateName = Annotated[str, Text(filled=True, example='"storm"')]
 
 _OF_A_BODY = ("lines", "anchor_radii", "pretensions", "headings", "line_out", "loads")
@@ -183,6 +184,20 @@ class SegmentChoice(Checked):
     def _check(self, found: Findings) -> None:
         found.some("lengths", Message("refused_case.at_least_one_length_wanted"))
         found.check()
+
+
+@dataclass(frozen=True)
+class GroupChoice(SegmentChoice):
+    """What one segment of several lines between points may be, the same in each."""
+
+    lines: tuple[LineName, ...] = ()
+    """By name, or by number where they have none."""
+    segment: OneSegment = 1
+    """Of each of them, counted from 1 at its start."""
+
+    def _check(self, found: Findings) -> None:
+        super()._check(found)
+        found.some("lines", Message("refused_case.at_least_one_wanted"))
 
 
 @dataclass(frozen=True)
@@ -281,6 +296,29 @@ class DesignLoad(Checked):
         return self.force * math.cos(direction), self.force * math.sin(direction)
 
 
+def group_misfits(design: GroupDesign | None, segments: Mapping[str, int]) -> Iterator[Problem]:
+    """Yield lines and segments of groups that are not there; lines have so many `segments`."""
+    for k, group in enumerate(() if design is None else design.groups):
+        for i, name in enumerate(group.lines):
+            if name not in segments:
+                allowed = Message("refused.one_of", words=", ".join(segments))
+                yield Problem(f"design.groups[{k}].lines[{i}]", name, allowed)
+            elif group.segment > segments[name]:
+                allowed = Message("refused.has_segment", count=segments[name])
+                yield Problem(f"design.groups[{k}].segment", f"{group.segment}", allowed)
+
+
+def _check_objectives(objectives: Sequence[str], found: Findings) -> None:
+    """Find names that are none, and too few or too many of them."""
+    unknown = [name for name in objectives if name not in OBJECTIVES]
+    if unknown:
+        allowed = Message("refused_case.two_or_three_of", words=", ".join(OBJECTIVES))
+        found.add("objectives", ", ".join(unknown), allowed)
+    elif not 2 <= len(set(objectives)) == len(objectives) <= 3:
+        named = ", ".join(objectives) or Message("refused.none")
+        found.add("objectives", named, Message("refused.two_or_three"))
+
+
 @dataclass(frozen=True)
 class Design(Checked):
     """A search for the best lines."""
@@ -325,18 +363,15 @@ class Design(Checked):
     max_run: Annotated[int, Whole("max_run", example=300)] = 300
     """Designs that are run in motion at most."""
 
+    varied: ClassVar[str] = "segments"
+    """Key of what varies."""
+
     def _check(self, found: Findings) -> None:
         found.some("segments", Message("refused_case.at_least_one_segment_wanted"))
         if all(segment.optional for segment in self.segments):
             allowed = Message("refused.one_segment")
             found.add("segments", Message("refused_file.all_optional"), allowed)
-        unknown = [name for name in self.objectives if name not in OBJECTIVES]
-        if unknown:
-            allowed = Message("refused_case.two_or_three_of", words=", ".join(OBJECTIVES))
-            found.add("objectives", ", ".join(unknown), allowed)
-        elif not 2 <= len(set(self.objectives)) == len(self.objectives) <= 3:
-            named = ", ".join(self.objectives) or Message("refused.none")
-            found.add("objectives", named, Message("refused.two_or_three"))
+        _check_objectives(self.objectives, found)
         found.check("method", "evaluations", "population", "seed", "max_enumerated", "max_run")
         self._check_joints(found)
         fewest, most = COUNTS["lines"]
@@ -359,6 +394,48 @@ class Design(Checked):
                 key = "refused.has_joints" if joints else "refused.has_no_joint"
                 allowed = Message(key, count=joints)
                 found.add(f"clump_weights[{index}].joint", str(weight.joint), allowed)
+
+
+@dataclass(frozen=True)
+class GroupDesign(Checked):
+    """A search for the best lines between points, by groups of them that are made alike."""
+
+    groups: tuple[GroupChoice, ...]
+    """Each a segment of the lines of a group; lines and segments in none stay as they are."""
+    objectives: tuple[Annotated[str, OneOf(OBJECTIVES)], ...] = ("mass", "offset")
+    """Two or three of: "mass", in air, of all lines; "offset", the largest of any body; "cost", of
+    all segments' material; "length", of all lines; "anchor_load", the largest tension at an
+    anchor."""
+    method: SearchMethod = "auto"
+    """"enumeration" of every design, "nsga2", "swarm", or "auto"."""
+    evaluations: Annotated[int, Whole("evaluations", example=2_000)] = 2_000
+    """Designs that a search other than enumeration may evaluate."""
+    population: Annotated[int, Whole("population", example=40)] = 40
+    """Designs of one generation, or of the swarm."""
+    seed: Seed = 1
+    """Of the random numbers."""
+    max_enumerated: Annotated[int, Whole("max_enumerated", example=20_000)] = 20_000
+    """The largest number of designs that "auto" enumerates."""
+
+    # What a design of one line, or of equal lines about a body, may have beside these.
+    varied: ClassVar[str] = "groups"
+    clump_weights: ClassVar[tuple[()]] = ()
+    sinker: ClassVar[None] = None
+    loads: ClassVar[tuple[()]] = ()
+    in_motion: ClassVar[bool] = False
+
+    @property
+    def segments(self) -> tuple[GroupChoice, ...]:
+        """What varies."""
+        return self.groups
+
+    def _check(self, found: Findings) -> None:
+        found.some("groups", Message("refused_case.at_least_one_wanted"))
+        _check_objectives(self.objectives, found)
+        if "excursion" in self.objectives:
+            allowed = Message("refused_case.take_offset_body_counted_from")
+            found.add("objectives", "excursion", allowed)
+        found.check("method", "evaluations", "population", "seed", "max_enumerated")
 
 
 def loads_of(design: Design, system: System) -> tuple[DesignLoad, ...]:

@@ -13,6 +13,7 @@ from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import Problem, refused
 from catopt.model.anchor import Anchor
 from catopt.model.case import Case, CatalogueChoice
+from catopt.model.design import GroupDesign, group_misfits
 from catopt.model.dynamics import (
     Dynamics,
     broken_line_misfits,
@@ -37,7 +38,7 @@ from catopt.model.kinds import (
     Strength,
     Text,
 )
-from catopt.model.line import Line, drag_missing, point_drag_misfits, weightless
+from catopt.model.line import Line, Segment, drag_missing, point_drag_misfits, weightless
 from catopt.model.load import Checks, Site
 from catopt.model.plausible_ranges import accepted_in
 from catopt.model.sea import CurrentProfile, Motion, WaveState
@@ -261,6 +262,8 @@ class Network(Checked):
     """How the lines are run in time; needed by the two before it."""
     catalogue: CatalogueChoice = field(default_factory=CatalogueChoice)
     """Where components come from."""
+    design: GroupDesign | None = None
+    """What of its lines may vary."""
     document: TitleBlock | None = None
     """For the title block of its note."""
     accept: tuple[Accepted, ...] = ()
@@ -304,6 +307,31 @@ class Network(Checked):
         self._check_motion(found)
         if self.anchor is not None:
             self._check_anchors(found, ends)
+        counts = {name: len(each.line.segments) for name, each in self.named_lines}
+        found.problems += group_misfits(self.design, counts)
+
+    def segment_for(self, choice: int) -> Segment:
+        """Segment of the first line of a group of its design, as it is."""
+        assert self.design is not None
+        group = self.design.groups[choice]
+        return dict(self.named_lines)[group.lines[0]].line.segments[group.segment - 1]
+
+    @property
+    def named_lines(self) -> tuple[tuple[str, LineBetween], ...]:
+        """Its lines by their names, or their numbers where they have none."""
+        return tuple((each.name or f"{k}", each) for k, each in enumerate(self.lines, start=1))
+
+    def made_of(self, segments: Sequence[Segment]) -> Network:
+        """Return it with other segments, one for each group of its design, which is settled."""
+        assert self.design is not None
+        lines = dict(self.named_lines)
+        for group, segment in zip(self.design.groups, segments, strict=True):
+            for name in group.lines:
+                own = list(lines[name].line.segments)
+                own[group.segment - 1] = segment
+                line = replace(lines[name].line, segments=tuple(own))
+                lines[name] = replace(lines[name], line=line)
+        return replace(self, lines=tuple(lines.values()), design=None)
 
     @property
     def has_fairlead(self) -> bool:

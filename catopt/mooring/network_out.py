@@ -82,7 +82,7 @@ def each_line_out(network: Network) -> tuple[NetworkOut, ...]:
     the others are looked at all the same. What happens on the way there, when the line parts, is
     dynamics and not looked at.
     """
-    count, still = len(network.lines), network.without_motion()
+    count, still = len(network.lines), replace(network.without_motion(), design=None)
     return tuple(
         _without(still, missing)
         for missing in paced(Message("words.lines_out", total=count), range(count))

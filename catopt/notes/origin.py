@@ -19,6 +19,7 @@ from catopt.documents import Path as Keys
 from catopt.errors import InputError, Problem, refused
 from catopt.model import Case, TitleBlock
 from catopt.model.kinds import Kind, Measured
+from catopt.model.network import require_case
 from catopt.records import Digest
 from catopt.schemas import CASE_DIGEST, is_ours, read_any, read_document
 from catopt.units import as_written
@@ -226,7 +227,7 @@ def read_with_sources(
         return design_directory.read_case_or_design(place, None), (read_source(place),), None
     document = design_directory.read_design_document(path)
     number = document["recommended"] + 1 if design is None else design
-    case = design_directory.read_design(path, number)
+    case = require_case(design_directory.read_design(path, number), str(path))
     sources = (read_source(path / DESIGN_CASE), read_source(path / DESIGN_DOCUMENT))
     return case, sources, Chosen(document, number)
 

@@ -244,7 +244,7 @@ def _of_front(result: DesignResult) -> Drawing:
     from catopt.figures.sizing import front, front_lines
 
     document = result.to_dict()
-    is_line = result.best.mooring is None
+    is_line = not result.best.checks.places
     lines = (front_lines(result, document),) if is_line else ()
     return Drawing((front(document), *lines), result.case.title)
 
