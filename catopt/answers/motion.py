@@ -70,7 +70,7 @@ def motion_answer(
     `checks` are of its tensions; nothing is said of them when left out. Files have every sample
     `with_series`.
     """
-    said = _of_lines(found) if found.case.several_lines else _of_load_cases(found)
+    said = _of_lines(found) if by_lines(found) else _of_load_cases(found)
     judged = () if checks is None else tuple(checks_in_motion(checks))
     whole = answered(
         "dynamic",
@@ -81,9 +81,14 @@ def motion_answer(
     )
     if found.joints:
         return replace(whole, next="verify_points")
-    if len(found.parts) > 1 and checks is not None and not found.case.several_lines:
+    if len(found.parts) > 1 and checks is not None and not by_lines(found):
         return replace(whole, card=tuple(_card_of_load_cases(found, checks)))
     return whole
+
+
+def by_lines(found: DynamicVerification) -> bool:
+    """Whether its parts are lines of one mooring; else they are load cases of one line."""
+    return found.case.several_lines
 
 
 def _card_of_load_cases(

@@ -350,7 +350,7 @@ def _design_segment(each: dict[str, Any], case: Case | Network) -> Segment:
 def _system(design: dict[str, Any], line: Line, case: Case) -> System | None:
     """Build the body with the lines of the design."""
     found = design.get("system")
-    if found is None or not case.several_lines:
+    if found is None:
         return case.system
     own, first = case.own_system, case.own_system.legs[0]
     return System.around(

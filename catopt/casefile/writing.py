@@ -98,8 +98,8 @@ def write_case(case: Case | Network) -> str:
         ends = ("fairlead_height", "anchor_height")
         heights = {key: site.height_above_seabed(getattr(case, key)) for key in ends}
         given["line"] = heights | vars(case.line)
-        if case.several_lines:
-            given["system"] = _around(case, case.own_system)
+        if "system" in given:
+            given["system"] = _around(case, given["system"])
         blocks = _blocks(CaseTable, {key: given[key] for key in entries(CaseTable) if key in given})
     return "\n\n".join("\n".join(block) for block in blocks) + "\n"
 

@@ -103,7 +103,7 @@ def under_a_load(case: Case) -> tuple[Case, tuple[str, ...]]:
     """Return the case under its first load case where it has no load, with the warning to give."""
     if case.load is not None or case.find is not None:
         return case, ()
-    if case.several_lines:
+    if not case.load_cases:
         wanted = Message("refused_motion.this_case_body_with_several")
         raise refused("system", Message("refused_motion.instead_of_load"), wanted)
     first, *others = case.load_cases

@@ -13,8 +13,8 @@ from catopt.answers.solution import curve_answer
 from catopt.casefile.reading import read_mooring_or_design
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, OutOption
-from catopt.cli.system import Wanted, answer_mooring
-from catopt.cli.values import for_one_line, in_si, with_known_codes
+from catopt.cli.system import Wanted, answered_as_mooring
+from catopt.cli.values import in_si, with_known_codes
 from catopt.errors import InputError
 from catopt.units import Dimension
 
@@ -41,10 +41,9 @@ def curve(
 
     asked.check_place()
     mooring = read_mooring_or_design(case, None)
-    if mooring.several_lines:
-        for_one_line({"over": over, "from": start, "to": stop, "points": points})
-        along = math.atan2(*mooring.own_force[::-1])
-        answer_mooring(asked, mooring, Wanted(directions=[along]))
+    along = Wanted(directions=[math.atan2(*mooring.own_force[::-1])])
+    of_one_line = {"over": over, "from": start, "to": stop, "points": points}
+    if answered_as_mooring(asked, mooring, along, of_one_line):
         return
     read, over = with_known_codes(mooring), over or "force"
     dimension = Dimension.FORCE if over == "force" else Dimension.LENGTH

@@ -36,14 +36,12 @@ def design(
     """Search the lines that are best in mass and offset at once."""
     asked.check_place(for_case=True)
     how = given_ones(method=method, evaluations=evaluations, seed=seed)
+    how |= {"in_motion": True} if in_motion else {}
     read = read_mooring_or_design(case, None)
     if read.design is None:
         allowed = Message("refused_command.missing_table_design_says_what")
         raise refused("design", "", allowed, str(case))
     with by_option():
-        if in_motion and isinstance(read, Network):
-            raise refused("in-motion", "", Message("refused_command.no_groups_in_motion"))
-        how |= {"in_motion": True} if in_motion else {}
         read = replace(read, design=replace(read.design, **how))  # type: ignore[arg-type]
     from catopt.design.neighbours import NoFeasibleDesignError
 

@@ -13,7 +13,7 @@ from catopt.casefile.reading import read_mooring_or_design
 from catopt.cli import values
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, CountOption, DesignOption, LoadCaseOption, OutOption
-from catopt.cli.system import Wanted, answer_mooring
+from catopt.cli.system import Wanted, answered_as_mooring
 from catopt.errors import Problem
 from catopt.words import Message
 
@@ -43,10 +43,9 @@ def solve(
         runs=runs, particles=particles, iterations=iterations, seed=seed, boundary=boundary
     )
     mooring = read_mooring_or_design(case, design)
-    if mooring.several_lines:
-        swarm = {"method": "pso"} if method == "pso" else {}
-        values.for_one_line(swarm | given | {"load-case": load_case, "profile": profile or None})
-        answer_mooring(asked, mooring, Wanted())
+    swarm = {"method": "pso"} if method == "pso" else {}
+    of_one_line = swarm | given | {"load-case": load_case, "profile": profile or None}
+    if answered_as_mooring(asked, mooring, Wanted(), of_one_line):
         return
     read = values.in_state(values.with_known_codes(mooring), load_case)
     if method != "pso":

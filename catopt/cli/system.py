@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
@@ -13,7 +13,7 @@ from catopt.answers.system import network_answer, system_answer
 from catopt.casefile.reading import read_mooring_or_design
 from catopt.cli.answering import Asked, answering
 from catopt.cli.options import CaseArgument, DesignOption, OutOption
-from catopt.cli.values import in_si, refused
+from catopt.cli.values import for_one_line, in_si, refused
 from catopt.model.network import Network
 from catopt.progress import paced
 from catopt.units import Dimension
@@ -57,6 +57,17 @@ class Wanted(NamedTuple):
     line_out: bool = False
     circle: bool = False
     stiffness: bool = False
+
+
+def answered_as_mooring(
+    asked: Asked, read: Any, wanted: Wanted, of_one_line: Mapping[str, object]
+) -> bool:
+    """Answer for a body or lines between points; False for one line, whose options are given."""
+    if not read.several_lines:
+        return False
+    for_one_line(of_one_line)
+    answer_mooring(asked, read, wanted)
+    return True
 
 
 def answer_mooring(asked: Asked, read: Case | Network, wanted: Wanted) -> None:

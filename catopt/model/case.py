@@ -35,7 +35,7 @@ from catopt.model.load import Checks, Load, LoadCase, Site
 from catopt.model.plausible_ranges import accepted_in
 from catopt.model.sea import CurrentProfile, Motion, WaveState
 from catopt.model.service import Service, wear_misfits
-from catopt.model.system import Body, Buoy, Floater, System, system_misfits
+from catopt.model.system import Body, Buoy, Floater, Leg, System, system_misfits
 from catopt.model.title_block import TitleBlock
 from catopt.model.wear import worn_line
 from catopt.units import Dimension
@@ -254,17 +254,25 @@ class Case(Checked):
     @property
     def every_line(self) -> tuple[Line, ...]:
         """The line, or those of the body that is moored."""
-        return (
-            tuple(leg.line for leg in self.own_system.legs) if self.several_lines else (self.line,)
-        )
+        return tuple(leg.line for leg in self.legs) or (self.line,)
+
+    @property
+    def _systems(self) -> tuple[System, ...]:
+        """Its body on several lines, or none."""
+        return () if self.system is None else (self.system,)
+
+    @property
+    def legs(self) -> tuple[Leg, ...]:
+        """Lines of its body on several; none where it has one line."""
+        return tuple(leg for system in self._systems for leg in system.legs)
 
     @property
     def own_system(self) -> System:
         """Its body on several lines; InputError where it has one line."""
-        if self.system is None:
-            wanted = Message("refused_motion.missing_table_system_with_anchor")
-            raise refused("system", "", wanted)
-        return self.system
+        for system in self._systems:
+            return system
+        wanted = Message("refused_motion.missing_table_system_with_anchor")
+        raise refused("system", "", wanted)
 
     @property
     def keyed_lines(self) -> Iterator[tuple[str, Line]]:
@@ -278,7 +286,7 @@ class Case(Checked):
     @property
     def own_force(self) -> tuple[float, float]:
         """On its body along x and y, N; 0 where it has one line."""
-        return self.own_system.force if self.several_lines else (0.0, 0.0)
+        return next((system.force for system in self._systems), (0.0, 0.0))
 
     def segment_for(self, choice: int) -> Segment | None:
         """Segment of the line in the place of what its design chooses; None where there is none."""
@@ -293,7 +301,7 @@ class Case(Checked):
     @property
     def several_lines(self) -> bool:
         """Whether it is of a body with several lines, which move together."""
-        return self.system is not None
+        return bool(self._systems)
 
     @property
     def current_at_rest(self) -> CurrentProfile | None:

@@ -416,13 +416,14 @@ class GroupDesign(Checked):
     """Of the random numbers."""
     max_enumerated: Annotated[int, Whole("max_enumerated", example=20_000)] = 20_000
     """The largest number of designs that "auto" enumerates."""
+    in_motion: bool = False
+    """Designs of lines between points are judged at rest alone."""
 
     # What a design of one line, or of equal lines about a body, may have beside these.
     varied: ClassVar[str] = "groups"
     clump_weights: ClassVar[tuple[()]] = ()
     sinker: ClassVar[None] = None
     loads: ClassVar[tuple[()]] = ()
-    in_motion: ClassVar[bool] = False
 
     @property
     def segments(self) -> tuple[GroupChoice, ...]:
@@ -432,6 +433,8 @@ class GroupDesign(Checked):
     def _check(self, found: Findings) -> None:
         found.some("groups", Message("refused_case.at_least_one_wanted"))
         _check_objectives(self.objectives, found)
+        if self.in_motion:
+            found.add("in_motion", "true", Message("refused_command.no_groups_in_motion"))
         if "excursion" in self.objectives:
             allowed = Message("refused_case.take_offset_body_counted_from")
             found.add("objectives", "excursion", allowed)

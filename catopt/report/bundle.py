@@ -362,7 +362,9 @@ def _of_motion(part: DynamicPart, title: str) -> Drawing:
 def motion_pictures(found: DynamicVerification, language: Language = "en") -> dict[str, bytes]:
     """Draw every load case in motion, or the governing line of a body; of a buoy afloat a film."""
     title, parts = found.case.title, found.parts
-    if found.case.several_lines:
+    from catopt.answers.motion import by_lines
+
+    if by_lines(found):
         part = found.governing
         drawn = _pictures({"dynamic": _of_motion(part, f"{title}, {part.where}")})
         return drawn | _afloat(found, language)

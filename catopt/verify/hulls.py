@@ -47,10 +47,9 @@ def _buoy(case: Case) -> FloatingHull:
         heavy = sum(each.submerged_weight * each.length for each in line.segments)
         pull += heavy / line.length * min(site.water_depth, line.length)
     hull = buoy_hull(of, site.water_depth, site.water_density, pull)
-    if not case.several_lines:
-        return hull
     ((*_, height),) = hull.eyes
-    return replace(hull, eyes=tuple((*leg.fairlead, height) for leg in case.own_system.legs))
+    eyes = tuple((*leg.fairlead, height) for leg in case.legs)
+    return replace(hull, eyes=eyes) if eyes else hull
 
 
 def _of_buoy(drive: Excitation, hull: FloatingHull, legs: Sequence[Leg]) -> Iterator[Message]:

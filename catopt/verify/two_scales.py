@@ -461,7 +461,7 @@ def moored_ship(
     on_lines: Callable[..., MooredShip] = MooredShip,
 ) -> tuple[MooredShip, Excitation]:
     """Make the ship of a case on its lines, and what drives it; as `verify_ship`."""
-    if case.floater is None or case.floater.ship is None or not case.several_lines:
+    if case.floater is None or case.floater.ship is None:
         allowed = Message("refused_case.ship_wanted")
         raise refused("floater.ship", "", allowed, "--dynamic")
     floater, of, current = case.floater, case.floater.ship, case.current
