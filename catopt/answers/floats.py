@@ -161,6 +161,7 @@ def floating_on_card(rest: LinesAtRest) -> Iterator[blocks.Text]:
 def _floats(body: BodyAtRest) -> Message:
     """Say how a body floats: its freeboard where it is known, and what is used of its reserve."""
     floating = body.floating
+    assert floating.reserve is not None
     values = {
         "pull": Measure("vertical_force", floating.pull),
         "reserve": Measure("vertical_force", floating.reserve),

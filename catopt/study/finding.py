@@ -431,7 +431,13 @@ def _numbered(key: str, document: Mapping[str, Any]) -> str:
 
 
 @singledispatch
-def _answer(read: Network) -> Answer:
+def _answer(read: Case | Network) -> Answer:
+    """Bring what a file moors to rest."""
+    raise TypeError(type(read))
+
+
+@_answer.register
+def _(read: Network) -> Answer:
     return at_rest(read)
 
 
@@ -460,8 +466,13 @@ Named = Iterator[tuple[str, Any, Mapping[str, Word]]]
 
 
 @singledispatch
-def _named(answer: LinesAtRest) -> Named:
+def _named(answer: Answer) -> Named:
     """Yield every part of an answer by its name."""
+    raise TypeError(type(answer))
+
+
+@_named.register
+def _(answer: LinesAtRest) -> Named:
     for line in answer.named_lines:
         yield line.name, line.solution, LINE
         yield from _loads(line.point_loads, LOAD, f" of {line.name}")

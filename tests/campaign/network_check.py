@@ -226,10 +226,16 @@ def _unless(network: Network, error: CatoptError, is_so: Any) -> list[str]:
     """Say what is wrong with a refusal, unless an answer, which is checked, shows its cause."""
     try:
         found = at_rest(network)
+    except FloatsUpError as other:  # a second cause
+        return faults_of_refusal(network, other)
     except CatoptError as other:
         return [f"{error}; and without its cause: {type(other).__name__}: {other}"]
     rubs = "lies on the bed between hanging parts" in error.message
-    faults = [each for each in faults_of_answer(found) if not (rubs and "N left at" in each)]
+    faults = [
+        each
+        for each in faults_of_answer(found)
+        if not (rubs and "N left at" in each) and "is lifted" not in each  # a second cause
+    ]
     return faults if faults or is_so(found) else [f"nothing of the kind: {error}"]
 
 
@@ -250,8 +256,9 @@ def _floats_above(depth: float) -> Any:
 
 
 def _lies_open(found: LinesAtRest) -> bool:
-    """Whether a joint, or a line without an anchor, lies on the bed: friction may hold it."""
-    return any(reaction > 0.0 for reaction in found.joints.reactions) or any(
+    """Whether a joint, a body or a line without an anchor lies on the bed, held by friction."""
+    bodies = (body.floating.bed_reaction for body in found.bodies)
+    return any(reaction > 0.0 for reaction in (*found.joints.reactions, *bodies)) or any(
         line.grounded_length > 0.0 and not found.is_anchored(k)
         for k, line in enumerate(found.lines)
     )
