@@ -261,7 +261,8 @@ def _sized(asked: Asked, of: ResolvedInputs) -> tuple[Sizing, Answer]:
 
 
 def _give(asked: Asked, found: Sizing, answer: Answer, save: Path | None, given: Given) -> None:
-    """Write the files and the case, then print the document or the answer."""
+    """Print the document or the answer; then write the files, with the note, and the case."""
+    asked.show(answer, found.to_dict)
     if asked.out is not None:
         from catopt.render.files import files_of
         from catopt.report.bundle import size_files
@@ -279,7 +280,6 @@ def _give(asked: Asked, found: Sizing, answer: Answer, save: Path | None, given:
         write_files(save.parent, {save.name: write_case(case).encode()})
         onward = "to_be_run" if case.design is None else "to_be_refined"
         asked.output.note(Message(f"beside.{onward}", place=save))
-    asked.show(answer, found.to_dict)
 
 
 def _as_given(place: str | None, options: Mapping[str, object], spell: Spelling) -> Given:
