@@ -67,7 +67,7 @@ def note_answer(
     first = (blocks.FileText(each.name, each.sha256, each.text) for each in note.origin.files[:1])
     every = (*sections, section(file or "case_file", first))
     shown = tuple(each for each in every if each.blocks)
-    title = note.case.title or Message(untitled or "note.untitled")
+    title = note.case.title or Message(untitled or "captions.mooring_line")
     return blocks.Answer("note", title, shown, Message(kind), head=_head(note))
 
 
@@ -231,7 +231,7 @@ def inputs_table(origin: Origin) -> Table:
         si = each.si if isinstance(each.si, float) else Cited(each.si or "")
         quantity = QUANTITIES["wear_rate"] if is_wear else blocks.exact(each.unit)
         rows.append((Cited(each.key), Cited(each.given), (si, quantity)))
-    return from_rows("inputs", ("note.inputs_key", "note.inputs_given", "page.si"), rows)
+    return from_rows("inputs", ("study.key", "note.inputs_given", "page.si"), rows)
 
 
 # ------------------------------------------------------------------ parts of a line
@@ -294,7 +294,7 @@ def _figure(key: str, segment: Segment, component: Component) -> Sequence[Cell]:
     own = getattr(segment, key) if key in _OWN else None
     expected = component.MBL_in_water if key == "MBL" else value
     if own is not None and expected is not None and not math.isclose(own, expected, rel_tol=1e-12):
-        return name, (own, quantity), "", "", Message("note.components_case_file")
+        return name, (own, quantity), "", "", Message("checks.case_file")
     origin = component.provenance[key]
     source = Cited(f"{', '.join(source.key for source in origin.sources)}: {origin.place}")
     return name, (value, quantity), origin.formula, origin.confidence, source

@@ -211,7 +211,7 @@ def _swarm(note: Note) -> Iterator[Block]:
         only="all",
     )
     if runs.length > _MOST_RUNS:
-        yield small("note.swarm_left_out", count=runs.length - _MOST_RUNS)
+        yield small("note_motion.left_out", count=runs.length - _MOST_RUNS)
     settings = solved.swarm_settings(note.case.swarm)
     yield replace(settings, caption=Message("note.swarm_settings"), only="all")
     yield small("note.swarm_legend")
@@ -229,7 +229,7 @@ def _both(note: Note) -> Table:
         if isinstance(one.value, float) and isinstance(other.value, float)
     ]
     units = tuple(one.quantity for one, _, _ in pairs if one.quantity is not None)
-    found = texts("note.swarm_by_swarm", (a for _, a, _ in pairs), units=units)
+    found = texts("captions.particle_swarm", (a for _, a, _ in pairs), units=units)
     exact = texts("closed_form", (b for _, _, b in pairs), units=units)
     differences = texts(
         "note.swarm_difference",

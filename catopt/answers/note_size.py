@@ -370,7 +370,7 @@ def _swing(note: SizeNote) -> Iterator[Block]:
     values = [*(value for _, value in found.parts), found.total]
     parts = texts("note_size.swing_part", names)
     lengths = measured("length", values, "note_size.swing_length", symbol="")
-    under = Message("note.checks_under", name=term(found.load_case))
+    under = Message("captions.load_case", name=term(found.load_case))
     yield Text(Message("note_size.swing_about"))
     yield Table("size_swing", (parts, lengths), under, marked=len(found.parts))
     if note.sizing.excursion is not None:

@@ -117,7 +117,7 @@ def _opening(note: SystemNote) -> Iterator[Section]:
         towards = Measure("angle", note.force_towards)
         pull = Message("note_system.identity_towards", force=size, angle=towards)
     moment = Message("sizing.measure", value=Measure("moment", system.moment))
-    freedom = "note_system.identity_turns" if system.turns else "note_system.identity_held"
+    freedom = "note_system.identity_turns" if system.turns else "mooring.x_and_y"
     facts = (
         ("note_system.identity_lines", f"{len(system.legs)}"),
         ("note_system.identity_freedom", Message(freedom)),
@@ -198,7 +198,7 @@ def near_blocks(solution: SystemSolution) -> Iterator[Block]:
     """Draw the surroundings of the body larger, where the offset is small on the plan."""
     around = mooring.near(solution)
     if around is not None:
-        yield Text(Message("note_system.plan_near"))
+        yield Text(Message("figures.near"))
         yield Figure(around)
 
 

@@ -133,7 +133,7 @@ def _hanging(solution: Solution) -> Iterator[Step]:
     yield step("trail.upper_slope", "q", _NUMBER, q, "{L} / {a} + {t:()}")
     yield step("trail.height_met", "h", _M, height, f"{high} − {low}", h, "S1 (4)")
     reach = "{a} asinh {q:()} − {a} asinh {t:()}"
-    yield step("trail.span", "S", _M, span, reach, solution.span, "S1 (5)")
+    yield step("quantities.span", "S", _M, span, reach, solution.span, "S1 (5)")
     root = "{H} √(1 + {t:()}²)"
     yield step("trail.anchor_tension", "T(0)", _N, T1, root, anchor.tension, "S1 (7)")
     root = "{H} √(1 + {q:()}²)"
@@ -160,7 +160,7 @@ def _grounded(solution: Solution) -> Iterator[Step]:
     yield step("trail.suspended", "L_min", _M, least, root, hung, "S2 (1)")
     yield step("trail.grounded", "d", _M, d, "{L} − {L_min}", solution.grounded_length)
     reach = "{d} + {a} asinh({L_min} / {a})"
-    yield step("trail.span", "S", _M, span, reach, solution.span, "C2")
+    yield step("quantities.span", "S", _M, span, reach, solution.span, "C2")
     rise = "{H} + {w} · {h}"
     yield step("trail.fairlead_tension", "T", _N, H + w * h, rise, fairlead.tension, "S2 (4)")
     held = "max(0, {H} − {μ} · {w} · {d})"
@@ -233,7 +233,7 @@ def _sums(solution: Solution, pieces: tuple[TrailPiece, ...]) -> Iterator[Step]:
     height = solution.fairlead_height - solution.anchor_height
     step = partial(step_of, {})
     yield _height(solution)
-    yield step("trail.span", "S", _M, span, "Σ Δx", solution.span, terms=reaches)
+    yield step("quantities.span", "S", _M, span, "Σ Δx", solution.span, terms=reaches)
     yield step("trail.height_met", "h", _M, rise, "Σ Δz", height, terms=rises)
     anchor, fairlead = solution.anchor, solution.fairlead
     for key, end in (("trail.fairlead_tension", fairlead), ("trail.anchor_tension", anchor)):

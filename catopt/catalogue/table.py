@@ -189,7 +189,7 @@ class TomlTable:
         if value is None:
             return None
         if not isinstance(value, dict):
-            self.problem(key, Message("refused_file.a_table"))
+            self.problem(key, Message("refused.table"))
             return None
         return TomlTable(value, self.at(key), self._findings)
 

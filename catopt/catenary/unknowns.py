@@ -68,7 +68,7 @@ class Condition(NamedTuple):
 
 _NAMES = {
     "length": "catenary.length",
-    "clump_weight": "catenary.clump_weight",
+    "clump_weight": "figures.clump",
     "horizontal_force": "catenary.horizontal_force",
 }
 
