@@ -130,7 +130,10 @@ class AtLevel(Record):
     """Above that of the case."""
     response: Response
     """The body and its lines at that level, from the zero-load position there."""
-    stiffness: Annotated[tuple[tuple[Stiffness, Stiffness], tuple[Stiffness, Stiffness]], OrNull]
+    stiffness: tuple[
+        Annotated[tuple[Stiffness, Stiffness], OrNull],
+        Annotated[tuple[Stiffness, Stiffness], OrNull],
+    ]
     """-d(Fx, Fy)/d(x, y) of a body that is free."""
     floating: FloatingBody | None = None
     """How the body floats there; None of one that is held, or on lines of its own."""

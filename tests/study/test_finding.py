@@ -11,6 +11,7 @@ from scipy.optimize import brentq
 from catopt import InputError, Line, Segment, solve
 from catopt.constants import STANDARD_GRAVITY as G
 from catopt.errors import NoAnswerError
+from catopt.model.network import Network
 from catopt.mooring.fixed_body import at_rest
 from catopt.study.finding import find_value
 
@@ -107,6 +108,7 @@ def test_a_cable_that_reaches_a_depth(file: Path) -> None:
     (same,) = find_value(file, found.key, "weight.depth = 100 m").solutions
     assert same.value == pytest.approx(length, rel=1e-9)
     mooring = found.mooring()
+    assert isinstance(mooring, Network)
     assert at_rest(mooring).place_of("weight")[2] == pytest.approx(100.0, rel=1e-8)
     assert (found.low, found.high) == (6.0, 600.0)
     assert found.to_dict()["solutions"][0]["value"] == only.value
@@ -125,7 +127,9 @@ def test_a_riser_that_takes_its_float_just_under(file: Path) -> None:
         file, "lines[riser].segments[0].length", "mark.freeboard = 0.25 m", "15 m", "25 m"
     )
     lost = 0.5 * (800.0 + 20.0 * G)
-    assert at_rest(half.mooring()).floats[0].used == pytest.approx(800.0 - lost, rel=1e-7)
+    mooring = half.mooring()
+    assert isinstance(mooring, Network)
+    assert at_rest(mooring).floats[0].used == pytest.approx(800.0 - lost, rel=1e-7)
 
 
 def test_all_of_several_values_are_told(file: Path) -> None:
