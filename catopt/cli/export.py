@@ -46,7 +46,8 @@ def export(
     from catopt.export.programs import program_input
 
     EA = _settings(to, stiffness, elements, true_depth=true_depth)
-    read = in_state(with_known_codes(read_mooring_or_design(case, design)), load_case)
+    whole = with_known_codes(read_mooring_or_design(case, design))
+    read = in_state(whole, load_case)
     paths = [case] if design is None else [case / DESIGN_CASE, case / DESIGN_DOCUMENT]
     files = [read_source(path) for path in paths]
     sources = tuple(Source(file.name, file.sha256) for file in files)
@@ -59,7 +60,7 @@ def export(
         raise InputError([Problem(f"{key}.EA", "", allowed) for key in rigid], f"--to {to}")
     lines = exported_lines(read, EA)
     if to == "dxf":
-        found = dxf_drawing(lines, sources=sources)
+        found = dxf_drawing(lines, whole=whole, sources=sources)
     elif to == "moordyn":
         found = moordyn_input(
             lines, elements=elements or ELEMENTS, true_depth=true_depth, sources=sources

@@ -58,3 +58,17 @@ def test_a_case_needs_no_import(run: Run) -> None:
         assert refused.status == 2
         assert said in refused.err
         assert f"catopt solve {BUOY}" in refused.err
+
+
+def test_a_drawing_has_still_water_apart_from_that_of_the_load_case(
+    run: Run, tmp_path: Path
+) -> None:
+    states = '[[load_cases]]\nname = "{}"\nhorizontal_force = "60 kN"\nwater_level = "{} m"\n'
+    case = tmp_path / "case.toml"
+    text = BUOY.parents[1].joinpath("tanker-20m", "case.toml").read_text("utf-8")
+    text = text.replace("[load]", "[old]").partition("[old]")[0]
+    case.write_text(text + states.format("high", 1.5) + states.format("low", -1), "utf-8")
+    drawn = run("export", case, "--to", "dxf").out
+    assert "still water, 20 m deep" in drawn
+    assert "water of this load case, 21.5 m deep (+1.5 m)" in drawn
+    assert ", low" in run("export", case, "--to", "dxf", "--load-case", "high").out
