@@ -381,7 +381,7 @@ def network_parts(
     given = table.given()
     keys = (
         *("document", "waves", "current", "motion", "dynamics", "checks", "service", "anchor"),
-        "design",
+        *("fatigue", "design"),
     )
     found = {key: build.part(given[key], (key,)) for key in keys if key in given}
     found["accept"] = tuple(given.get("accept") or ())

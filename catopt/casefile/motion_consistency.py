@@ -41,6 +41,7 @@ def network_motion_findings(case: FileSection) -> list[Finding]:
         *(_motion(case.table("motion")) if "motion" in case else ()),
         *_times(dynamics),
         *dynamics.refused(run.break_misfits(dynamics.given)),
+        *(_fatigue(case, case.table("fatigue")) if "fatigue" in case else ()),
     ]
 
 
@@ -143,7 +144,7 @@ def _fatigue(case: FileSection, fatigue: FileSection) -> Iterator[Finding]:
     if case.misspelt(*_FOR_FATIGUE):
         return
     waves = case.table("waves")
-    segments = case.table("line").given.get("segments")
+    segments = case.table("line").given.get("segments") if "line" in entries(case.schema) else None
     problems = run.sections_misfits(
         [key for key in _FOR_FATIGUE if key in case],
         {"spectrum": True} if waves.misspelt("spectrum") else waves.given,

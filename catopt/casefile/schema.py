@@ -414,7 +414,7 @@ class NetworkTable(TableSchema):
 
     model = Network
     keys = """title source document accept site points lines bodies waves current motion dynamics
-        checks service anchor catalogue design"""
+        checks service anchor catalogue fatigue design"""
 
     motion: EndMotionTable | None = None
 

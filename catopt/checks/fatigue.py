@@ -31,9 +31,10 @@ from catopt.checks.criteria import strength_of
 from catopt.checks.kinds import USER, CheckSource
 from catopt.constants import YEAR
 from catopt.errors import InputError, Problem, need_package, refused
-from catopt.model import Case, Segment
+from catopt.model import Case, Line, Segment
 from catopt.model.kinds import Area, Force, Height
 from catopt.model.line import LineKind, line_kind
+from catopt.model.network import Network
 from catopt.words import Message
 
 _WIDTH: Final = 0.1
@@ -276,16 +277,20 @@ class FatigueStrength:
         return sum(known) * YEAR / sum(each.time for each in runs)
 
 
-def fatigue_strengths(case: Case) -> tuple[FatigueStrength, ...]:
-    """Find the curve of every segment and its reference at half the loss of diameter.
+def fatigue_strengths(
+    case: Case | Network, line: Line | None = None, path: str = "line"
+) -> tuple[FatigueStrength, ...]:
+    """Find the curve of every segment of a line and its reference at half the loss of diameter.
 
-    InputError for every segment without a curve, a diameter or a strength.
+    `line`: the first of the case when left out, `path`: where it stands there. InputError for every
+    segment without a curve, a diameter or a strength.
     """
     found: list[FatigueStrength] = []
     problems: list[Problem] = []
-    for index, segment in enumerate(case.line.segments):
+    for index, segment in enumerate((line or case.every_line[0]).segments):
+        key = f"{path}.segments[{index}]"
         try:
-            found.append(_strength(_curve(case, segment, index), segment, case, index))
+            found.append(_strength(_curve(case, segment, index), segment, case, key))
         except InputError as error:
             problems += error.problems
     if problems:
@@ -293,7 +298,7 @@ def fatigue_strengths(case: Case) -> tuple[FatigueStrength, ...]:
     return tuple(found)
 
 
-def _curve(case: Case, segment: Segment, index: int) -> FatigueCurve:
+def _curve(case: Case | Network, segment: Segment, index: int) -> FatigueCurve:
     fatigue = case.fatigue
     assert fatigue is not None
     given = {each.segment: each for each in fatigue.curves}
@@ -323,9 +328,11 @@ def _curve(case: Case, segment: Segment, index: int) -> FatigueCurve:
     return CURVES[name]
 
 
-def _strength(curve: FatigueCurve, segment: Segment, case: Case, index: int) -> FatigueStrength:
+def _strength(
+    curve: FatigueCurve, segment: Segment, case: Case | Network, key: str
+) -> FatigueStrength:
     """Put the diameter less half the loss into the area, or into the strength."""
-    key, service = f"line.segments[{index}]", case.service
+    service = case.service
     half = None if service is None else replace(service, life=0.5 * service.life)
     strength = strength_of(segment, half, case.catalogue, key=key)
     diameter = strength.end_diameter
@@ -358,7 +365,7 @@ of adjacent lines of equal damage, the largest: 5 where theirs is at most 0.8 of
 inspected ashore."""
 
 
-def design_factor(case: Case, curve: FatigueCurve) -> tuple[float, CheckSource]:
+def design_factor(case: Case | Network, curve: FatigueCurve) -> tuple[float, CheckSource]:
     """Return the factor on the damage of a segment, and where it comes from.
 
     InputError when it was read in no document and is not allowed.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from catopt.answers.verification import fatigue_answer, fatigue_sentence
-from catopt.casefile.reading import read_case_or_design
+from catopt.casefile.reading import read_mooring_or_design
 from catopt.cli import options
 from catopt.cli.answering import FAILED, STOPPED, Asked, answering
 from catopt.cli.values import with_known_codes
@@ -23,7 +23,7 @@ def fatigue(
     from catopt.verify.fatigue import verify_fatigue
 
     asked.check_place()
-    read = with_known_codes(read_case_or_design(case, None))
+    read = with_known_codes(read_mooring_or_design(case, None))
     with asked.output.progress("Sea states") as tell:
         report = verify_fatigue(
             read,

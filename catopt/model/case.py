@@ -15,8 +15,8 @@ from catopt.model.dynamics import (
     Fatigue,
     broken_line_misfits,
     dynamics_misfits,
+    fatigue_needs,
     of_motion_misfits,
-    sections_misfits,
     strength_misfits,
 )
 from catopt.model.kinds import (
@@ -196,13 +196,7 @@ class Case(Checked):
         self._check_current(found)
         service = {} if self.service is None else vars(self.service)
         found.problems += wear_misfits(service, [vars(each) for each in self.line.segments])
-        if self.fatigue is not None:
-            found.problems += sections_misfits(
-                [k for k in ("dynamics", "waves", "service") if getattr(self, k) is not None],
-                {"spectrum": True} if self.waves and self.waves.spectrum else {},
-                [curve.segment for curve in self.fatigue.curves],
-                len(self.line.segments),
-            )
+        found.problems += fatigue_needs(self, len(self.line.segments))
         self._check_levels("load_cases", self.load_cases, found)
         for index, state in enumerate(self.load_cases):
             if state.condition is not None and self.service is None:

@@ -407,6 +407,18 @@ def fatigue_misfits(given: Collection[str]) -> list[Problem]:
     return problems
 
 
+def fatigue_needs(case: Any, segments: int) -> list[Problem]:
+    """List what the fatigue of a case, of so many segments in a line, lacks elsewhere."""
+    if case.fatigue is None:
+        return []
+    return sections_misfits(
+        [key for key in ("dynamics", "waves", "service") if getattr(case, key) is not None],
+        {"spectrum": True} if case.waves and case.waves.spectrum else {},
+        [curve.segment for curve in case.fatigue.curves],
+        segments,
+    )
+
+
 def sections_misfits(
     present: Collection[str], waves: Mapping[str, Any], curves: Sequence[int | None], segments: int
 ) -> list[Problem]:

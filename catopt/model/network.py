@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
@@ -16,11 +15,14 @@ from catopt.model.case import Case, CatalogueChoice
 from catopt.model.design import GroupDesign, group_misfits
 from catopt.model.dynamics import (
     Dynamics,
+    Fatigue,
     broken_line_misfits,
+    fatigue_needs,
     network_motion_misfits,
     of_motion_misfits,
     strength_misfits,
 )
+from catopt.model.joined import network_misfits
 from catopt.model.kinds import (
     Accepted,
     Area,
@@ -262,6 +264,8 @@ class Network(Checked):
     """How the lines are run in time; needed by the two before it."""
     catalogue: CatalogueChoice = field(default_factory=CatalogueChoice)
     """Where components come from."""
+    fatigue: Fatigue | None = None
+    """What the damage of its lines in a year is found from."""
     design: GroupDesign | None = None
     """What of its lines may vary."""
     document: TitleBlock | None = None
@@ -309,6 +313,7 @@ class Network(Checked):
             self._check_anchors(found, ends)
         counts = {name: len(each.line.segments) for name, each in self.named_lines}
         found.problems += group_misfits(self.design, counts)
+        found.problems += fatigue_needs(self, max(counts.values(), default=0))
 
     def segment_for(self, choice: int) -> Segment:
         """Segment of the first line of a group of its design, as it is."""
@@ -512,6 +517,7 @@ class Network(Checked):
             waves=None,
             motion=None,
             dynamics=None,
+            fatigue=None,
         )
 
     @property
@@ -546,53 +552,3 @@ def require_case(of: Case | Network, source: str = "") -> Case:
         allowed = Message("refused_command.lines_meet_joints_or_differ")
         raise refused("lines", "", allowed, source)
     return of
-
-
-def network_misfits(
-    names: list[str],
-    joints: list[str],
-    ends: list[tuple[str, str]],
-    tied: Iterable[Sequence[str]],
-) -> list[Problem]:
-    """List ends that are no points, names given twice, joints and bodies that nothing holds.
-
-    `tied`: the fairleads of each body that is free.
-    """
-    found = Findings()
-    for k, name in enumerate(names):
-        if name in names[:k]:
-            found.add(
-                f"points[{k}].name", name, Message("refused_case.another_point_has_this_name")
-            )
-    for k, (start, end) in enumerate(ends):
-        for key, name in (("start", start), ("end", end)):
-            if name not in names:
-                allowed = Message("refused_case.no_such_point_there_are", names=", ".join(names))
-                found.add(f"lines[{k}].{key}", name, allowed)
-        if start == end:
-            found.add(f"lines[{k}].end", end, Message("refused_case.line_begins_there_too"))
-    meeting = Counter(name for pair in ends for name in {*pair})
-    of_bodies = [*tied]
-    free = {*joints, *itertools.chain(*of_bodies)}
-    ties = [pair for each in of_bodies for pair in itertools.pairwise(each)]
-    held = joined({*names} - free, [*ends, *ties])
-    return found.problems or [
-        Problem(f"points[{k}]", name, why)
-        for k, name in enumerate(names)
-        if (why := _loose(meeting[name], name in held))
-    ]
-
-
-def joined(to: Iterable[str], ends: Iterable[Iterable[str]]) -> set[str]:
-    """Gather the points that lines join to some, by way of any others; these among them."""
-    found, pairs = {*to}, [{*pair} for pair in ends]
-    while more := {end for pair in pairs if pair & found for end in pair} - found:
-        found |= more
-    return found
-
-
-def _loose(meeting: int, is_held: bool) -> str:
-    """Say why nothing holds a point, or what it is for; empty where that is in order."""
-    if not meeting:
-        return Message("refused_case.no_line_ends_here")
-    return "" if is_held else Message("refused_case.no_line_leads_to_an_anchor")

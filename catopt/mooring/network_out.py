@@ -9,9 +9,10 @@ from itertools import pairwise
 
 from catopt.errors import NoAnswerError, NoEquilibriumError, NotConvergedError
 from catopt.largest import first_largest
+from catopt.model.joined import joined
 from catopt.model.kinds import SomeForce
 from catopt.model.load import Checks
-from catopt.model.network import LineBetween, Network, Point, joined
+from catopt.model.network import LineBetween, Network, Point
 from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.progress import paced

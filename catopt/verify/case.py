@@ -16,7 +16,8 @@ from catopt.fem import mesh_line
 from catopt.fem.network import LineEnd, MeetingPoint, NetworkSolution, solve_network
 from catopt.fem.solve import TrussSolution, part_of
 from catopt.model import Case
-from catopt.model.network import Network, joined
+from catopt.model.joined import joined
+from catopt.model.network import Network
 from catopt.mooring.chains import Row, in_rows, rows_of
 from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.joints import Moored, Run, moored, runs_of

@@ -18,6 +18,7 @@ from catopt.largest import largest
 from catopt.model import Case, FatigueSeaState, Segment
 from catopt.model.dynamics import share_misfits
 from catopt.model.kinds import Force, NotNegative, Place, Positive, Share
+from catopt.model.network import Network
 from catopt.old_names import renamed
 from catopt.progress import Progress
 from catopt.records import Counted, From, FromZero, Record
@@ -155,7 +156,7 @@ class FatigueReport(Record):
         "remarks"
     )
 
-    case: Case
+    case: Case | Network
     states: tuple[FatigueSeaState, ...]
     runs: tuple[DynamicVerification, ...]
 
@@ -172,15 +173,14 @@ class FatigueReport(Record):
     @cached_property
     def segments(self) -> Annotated[tuple[SegmentFatigue, ...], From(1)]:
         """Of every line, from the anchor to the fairlead."""
-        strengths = fatigue_strengths(self.case)
         return tuple(
-            self._segment(part, index, strength)
-            for part in range(len(self.runs[0].parts))
-            for index, strength in enumerate(strengths)
+            self._segment(line, index, strength)
+            for line, part in enumerate(self.runs[0].parts)
+            for index, strength in enumerate(fatigue_strengths(self.case, part.own_line))
         )
 
     def _segment(self, line: int, index: int, strength: FatigueStrength) -> SegmentFatigue:
-        segments = self.case.line.segments
+        segments = self.runs[0].parts[line].own_line.segments
         first = sum(each.length for each in segments[:index])
         parts = [run.parts[line] for run in self.runs]
         arcs = parts[0].envelope.arc
@@ -266,7 +266,7 @@ class FatigueReport(Record):
 
 @renamed(proof="convergence_check")
 def verify_fatigue(
-    case: Case,
+    case: Case | Network,
     *,
     load_case: str | None = None,
     convergence_check: ConvergenceCheck = "step",
@@ -292,8 +292,9 @@ def verify_fatigue(
     if case.dynamics is not None and case.dynamics.broken_line is not None:
         allowed = Message("refused_motion.leave_out_year_run_with")
         raise refused("dynamics.broken_line", "", allowed)
-    for strength in fatigue_strengths(case):
-        design_factor(case, strength.curve)
+    for key, line in dict.fromkeys(case.keyed_lines):
+        for strength in fatigue_strengths(case, line, key):
+            design_factor(case, strength.curve)
     loads = load_states(case, load_case)
     if len(loads) > 1:
         names = ", ".join(name for name, _ in loads)
@@ -326,7 +327,7 @@ def verify_fatigue(
     return FatigueReport(case, states, tuple(runs))
 
 
-def _in_sea(case: Case, state: FatigueSeaState) -> Case:
+def _in_sea(case: Case | Network, state: FatigueSeaState) -> Case | Network:
     """Put a sea state in the place of the waves; all are run with as many bars."""
     assert case.waves is not None
     assert case.dynamics is not None
@@ -350,7 +351,7 @@ _LASTING = ("share", "time", "occurrences")
 """Columns of which one says how long a sea state lasts."""
 
 
-def sea_states(case: Case) -> tuple[FatigueSeaState, ...]:
+def sea_states(case: Case | Network) -> tuple[FatigueSeaState, ...]:
     """Take the sea states of a case, or read them from its file; InputError with all its faults."""
     fatigue = case.fatigue
     assert fatigue is not None
