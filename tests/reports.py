@@ -29,7 +29,13 @@ __all__ = ["CASES", "NOTES", "REPORTS", "SIZINGS", "note_of_case", "note_page"]
 ROOT = Path(__file__).parents[1]
 REPORTS = ROOT / "reports"
 NOTES = REPORTS / "notes"
-CASES = tuple(path.parent.name for path in sorted((ROOT / "cases").glob("*/case.toml")))
+LONG = {"net-cage"}
+"""Cases without a shipped note: with each line out in a current theirs takes minutes."""
+CASES = tuple(
+    path.parent.name
+    for path in sorted((ROOT / "cases").glob("*/case.toml"))
+    if path.parent.name not in LONG
+)
 """Cases of a line, and of a body that several moor."""
 SIZINGS = tuple(path.parent.name for path in sorted((ROOT / "cases").glob(f"*/{SIZING}")))
 """What is known of a buoy or a ship before there is a line."""

@@ -17,7 +17,6 @@ POINTS = {
     "hanging-instrument",
     "instrument-mooring",
     "lake-buoy",
-    "net-cage",
     "raft-four-lines",
     "reservoir-raft",
     "ship-at-quay",
