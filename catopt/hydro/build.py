@@ -486,11 +486,11 @@ def _around(memory: Memory, free: Flags) -> tuple[Codes, Complex, Complex]:
     """Modes, rates and strengths of a memory in all freedoms that are free, as `_all_round`."""
     rows = []
     places = memory.row.tolist(), memory.column.tolist()
-    for of, by, rate, strength in zip(*places, memory.rate, memory.strength, strict=True):
-        rows.append((2 * of, 2 * by, rate, strength))
-        if of != 1 and by != 1:
-            sign = 1.0 if of == by else -1.0
-            rows.append(((1, 0, 3)[of], (1, 0, 3)[by], rate, sign * strength))
+    for freedom, by, rate, strength in zip(*places, memory.rate, memory.strength, strict=True):
+        rows.append((2 * freedom, 2 * by, rate, strength))
+        if freedom != 1 and by != 1:
+            sign = 1.0 if freedom == by else -1.0
+            rows.append(((1, 0, 3)[freedom], (1, 0, 3)[by], rate, sign * strength))
     kept = [row for row in rows if free[row[0]] and free[row[1]]]
     mode = np.array([row[:2] for row in kept], dtype=np.int64).reshape(-1, 2)
     rates, strengths = (np.array([row[i] for row in kept], dtype=complex) for i in (2, 3))

@@ -83,14 +83,14 @@ def read_wamit(
     name = Path(path)
     stem = name.with_suffix("") if name.suffix in WAMIT else name
     files = {end: stem.with_name(stem.name + end) for end in WAMIT}
-    there = {end: each for end, each in files.items() if each.is_file()}
+    there = {end: file for end, file in files.items() if file.is_file()}
     if ".3" in there:
         there.pop(".2", None)
     if not there:
         allowed = Message("refused_motion.wamit_files_wanted")
         raise refused("files", Message("refused.none"), allowed, str(path))
     problems: list[Problem] = []
-    rows = {end: wamit_rows(each, end, problems) for end, each in there.items()}
+    rows = {end: wamit_rows(file, end, problems) for end, file in there.items()}
     if problems:
         raise InputError(problems, str(stem))
     made = _Wamit(stem.name, ulen, density, gravity, rows, problems).read()
@@ -132,8 +132,8 @@ def _row(line: str, columns: Sequence[str]) -> list[float]:
     """Read a row; ValueError says what is wrong with it."""
     cells = line.upper().replace("D", "E").split()
     try:
-        row = [float(each) for each in cells]
-        if not all(each.isascii() and "_" not in each for each in cells):
+        row = [float(cell) for cell in cells]
+        if not all(cell.isascii() and "_" not in cell for cell in cells):
             raise ValueError
     except ValueError:
         raise ValueError(Message("refused_motion.numbers_wanted")) from None
@@ -142,7 +142,7 @@ def _row(line: str, columns: Sequence[str]) -> list[float]:
     if len(row) != len(columns):
         said = Message("refused_motion.row_numbers", count=len(columns), columns=" ".join(columns))
         raise ValueError(said)
-    if not all(abs(each) < _MOST for each in row):
+    if not all(abs(value) < _MOST for value in row):
         raise ValueError(Message("refused_motion.finite_numbers_are_wanted"))
     of = dict(zip(columns, row, strict=True))
     if any(of[key] not in range(1, 7) for key in ("I", "J") if key in of):
@@ -173,11 +173,13 @@ class _Wamit:
         self.ulen, self.density, self.gravity = ulen, density, gravity
         if ".8" in rows:
             rows[".8"] = rows[".8"][rows[".8"][:, 1] == rows[".8"][:, 2]]
-        periods = {end: set(of[of[:, 0] > 0.0, 0]) for end, of in rows.items() if end != ".hst"}
+        periods = {
+            end: set(table[table[:, 0] > 0.0, 0]) for end, table in rows.items() if end != ".hst"
+        }
         self.periods = sorted(set().union(*periods.values()), reverse=True) if periods else []
         self._check_periods(periods)
-        waves = {end: of for end, of in rows.items() if "MOD" in WAMIT[end]}
-        self.headings = sorted(set().union(*(set(of[:, 1]) for of in waves.values()), set()))
+        waves = {end: table for end, table in rows.items() if "MOD" in WAMIT[end]}
+        self.headings = sorted(set().union(*(set(table[:, 1]) for table in waves.values()), set()))
 
     def _check_periods(self, of_files: dict[str, set[float]]) -> None:
         """Note files that have other periods than the first."""
@@ -262,7 +264,7 @@ class _Wamit:
         places = {key: (rows[:, 1 + k] - 1).astype(int) for k, key in enumerate("IJ")}
         finite = rows[:, 0] > 0.0
         columns = (rows[finite, 0], places["I"][finite], places["J"][finite])
-        cells = zip(*(each.tolist() for each in columns), strict=True)
+        cells = zip(*(column.tolist() for column in columns), strict=True)
         at = [(self.periods.index(per), i, j) for per, i, j in cells]
         shape = (len(self.periods), 6, 6)
         limits: dict[int, Array] = {}
@@ -348,7 +350,7 @@ class _Capytaine:
         def of_waves(*keys: str) -> Complex | None:
             ways = ("omega", "wave_direction", "influenced_dof")
             parts = [self._of(key, ways, order) for key in keys]
-            known = [each for each in parts if each is not None]
+            known = [part for part in parts if part is not None]
             if len(known) < len(keys):
                 return None
             total: Complex = np.sum(known, axis=0)[finite][:, turns].astype(complex)
@@ -377,14 +379,14 @@ class _Capytaine:
                 allowed = Message("refused_motion.missing_from_dataset")
                 self.problems.append(Problem(key, "", allowed))
                 return
-        names = [_text(each) for each in np.atleast_1d(self.data["influenced_dof"].values)]
-        short = [each.rpartition("__")[2].casefold() for each in names]
+        names = [_text(value) for value in np.atleast_1d(self.data["influenced_dof"].values)]
+        short = [name.rpartition("__")[2].casefold() for name in names]
         if sorted(short) != sorted(FREEDOMS):
             allowed = Message("refused_motion.six_freedoms", words=", ".join(FREEDOMS))
             found = as_written(", ".join(names), longest=200)
             self.problems.append(Problem("influenced_dof", found, allowed))
             return
-        yield from (short.index(each) for each in FREEDOMS)
+        yield from (short.index(freedom) for freedom in FREEDOMS)
 
     def _of(self, key: str, ways: Sequence[str], order: list[int]) -> Any:
         """Return a variable along some dimensions, freedoms in our order; None: not there."""
@@ -392,8 +394,8 @@ class _Capytaine:
             return None
         values = self.data[key]
         if "complex" in values.dims:
-            parts = [_text(each) for each in np.atleast_1d(self.data["complex"].values)]
-            re, im = (values.isel(complex=parts.index(each)) for each in ("re", "im"))
+            parts = [_text(value) for value in np.atleast_1d(self.data["complex"].values)]
+            re, im = (values.isel(complex=parts.index(part)) for part in ("re", "im"))
             values = re + 1j * im
         for way in ways:
             if way not in values.dims:

@@ -139,8 +139,8 @@ def _tabulated(hull: HullForm) -> Coefficients:
     section = Section(hull.breadth, hull.draught, hull.depth, 0.0, hull.density, hull.gravity)
     quarter = np.linspace(0.0, 0.5 * math.pi, _HEADINGS)
     found = np.zeros((omega.size, _HEADINGS, 3))
-    for n, each in enumerate(omega.tolist()):
-        waves = _InWaves(hull, section.at(each))
+    for n, frequency in enumerate(omega.tolist()):
+        waves = _InWaves(hull, section.at(frequency))
         found[n] = [waves.drift(heading) for heading in quarter.tolist()]
     # Fore and aft she is alike, and so are her sides.
     half = np.concatenate([found, found[:, -2::-1] * [-1.0, 1.0, -1.0]], axis=1)

@@ -85,7 +85,7 @@ def shell(language: Language = "en", *, runs: bool | None = None) -> str:
 
     rendered = template("catopt.page_api", "shell.html").render(
         language=language,
-        languages=[(each, say(Message("desk.own_name"), each)) for each in LANGUAGES],
+        languages=[(code, say(Message("desk.own_name"), code)) for code in LANGUAGES],
         doors=DOORS,
         fields={door: fields_of(door, runs=runs) for door in DOORS},
         runs=can_run() if runs is None else runs,
@@ -163,11 +163,11 @@ def ask(call: str, question: Question) -> Reply:
     except CatoptError as error:  # its words are the command's
         problems = [
             {
-                "key": each.key,
-                "found": say(each.found, language),
-                "allowed": say(each.allowed, language),
+                "key": problem.key,
+                "found": say(problem.found, language),
+                "allowed": say(problem.allowed, language),
             }
-            for each in (error.problems if isinstance(error, InputError) else ())
+            for problem in (error.problems if isinstance(error, InputError) else ())
         ]
         message = "" if problems else say(error.message, language)
         return {"problems": problems, "message": message, "status": error.exit_status}
@@ -185,7 +185,9 @@ def _wrong(call: str, question: Question) -> str:
             return f"{key}: {question[key]!r} is none of {', '.join(words)}"
     is_text = all(isinstance(question.get(key, ""), str) for key in ("text", "base", "kept"))
     values = question.get("values", {})
-    is_form = isinstance(values, Mapping) and all(isinstance(each, str) for each in values.values())
+    is_form = isinstance(values, Mapping) and all(
+        isinstance(value, str) for value in values.values()
+    )
     return "" if is_text and is_form else "text, base, kept and values are texts"
 
 
@@ -303,19 +305,19 @@ def _beside(text: str, language: Language) -> Reply:
         return {}
     of = _sizing(text, door)
     assumed = {
-        each.of.key: say(Message("desk.assumed", value=each.said), language)
-        for each in of.inputs
-        if each.origin != "given"
+        taken.of.key: say(Message("desk.assumed", value=taken.said), language)
+        for taken in of.inputs
+        if taken.origin != "given"
     }
     others = [
         {
             "key": "line.prefer",
-            "value": each.prefer,
-            "name": say(term(each.prefer), language),
-            "words": say(other_words(of, each), language),
+            "value": other.prefer,
+            "name": say(term(other.prefer), language),
+            "words": say(other_words(of, other), language),
         }
-        for each in of.alternatives
-        if each.settled is not None and not is_said(other_words(of, each), "sizing.same_line")
+        for other in of.alternatives
+        if other.settled is not None and not is_said(other_words(of, other), "sizing.same_line")
     ]
     return {"assumed": assumed, "others": others[:3], "choices": choices(of)[1]}
 
@@ -334,7 +336,7 @@ def _answer(text: str, *, is_whole: bool, who: Who, is_run: bool) -> Answer:  # 
         first, others, on_card = _body(text)
     else:
         first, others, on_card = _sized(text, door, who)
-    sections = (first, *(each for other in others for each in other.sections if is_whole))
+    sections = (first, *(section for other in others for section in other.sections if is_whole))
     named = []
     for number, part in enumerate(sections):  # results of a line stand beside its drawing
         news = (e for e in part.blocks if not (isinstance(e, Facts) and e.name == "summary"))
@@ -351,9 +353,9 @@ def _compare(kept: str, text: str, language: Language) -> Reply:
     before = values_of(door, kept) if _door(kept) == door else {}
     now = values_of(door, text)
     inputs = [
-        (each.label, before.get(each.key, ""), now.get(each.key, ""))
-        for each in fields_of(door)
-        if before.get(each.key, "") != now.get(each.key, "")
+        (field.label, before.get(field.key, ""), now.get(field.key, ""))
+        for field in fields_of(door)
+        if before.get(field.key, "") != now.get(field.key, "")
     ]
     of_kept, present = _laid_out(kept, is_whole=True), _laid_out(text, is_whole=True)
     beside = comparison(of_kept, present, inputs)
@@ -379,7 +381,7 @@ def _line(text: str, *, readout: bool) -> _Laid:
     report = check_case(case)
     depth = under_a_load(case)[0].site.water_depth
     factor = solution.safety_factor
-    allowed = [each.MBL and each.MBL / factor for each in solution.segments]
+    allowed = [part.MBL and part.MBL / factor for part in solution.segments]
     basis = Message("figures.MBL_over", factor=factor)
     first = section(
         "desk.answer",
@@ -424,7 +426,7 @@ def _sized(text: str, door: Door, who: Who) -> _Laid:
     # What to type is another than on a command line.
     verdict = Verdict.of_judgement(judgement_of(of, who))
     card = size_card(of, with_others=False)
-    shown = tuple(verdict if isinstance(each, Verdict) else each for each in card)
+    shown = tuple(verdict if isinstance(block, Verdict) else block for block in card)
     return first, [size_answer(of)], shown
 
 

@@ -138,9 +138,9 @@ def of_runs(each: Input) -> bool:
 def at_rest_of(door: Door, text: str) -> str:
     """Leave out of a file for a sizing what it says of runs in time."""
     document = parse_toml(text, "")
-    for each in rows_of(door):
-        if of_runs(each):
-            _put(document, each.path, None)
+    for row in rows_of(door):
+        if of_runs(row):
+            _put(document, row.path, None)
     return "".join(_tables(document, ())).lstrip("\n")
 
 
@@ -157,9 +157,9 @@ def _fields(door: Door, runs: bool) -> tuple[Field, ...]:
     if door in ("buoy", "tanker"):
         first = _FIRST[door]
         found = [
-            _of_input(each, door)
-            for each in rows_of(door)
-            if each.takes != "FILE" and (runs or not of_runs(each))
+            _of_input(row, door)
+            for row in rows_of(door)
+            if row.takes != "FILE" and (runs or not of_runs(row))
         ]
         return tuple(sorted(found, key=lambda each: (*first, each.key).index(each.key)))
     own = _LOAD if door == "line" else _AROUND
@@ -282,8 +282,8 @@ def values_of(door: Door, text: str) -> dict[str, str]:
 
 def _value(field: Field, text: str, door: Door) -> object:
     """Take what stands in a field as a file has it; a bare number gets the unit of the field."""
-    one = [each.strip() for each in text.split(";")] if field.several else [text.strip()]
-    taken = [_one(field, each, door) for each in one if each]
+    one = [value.strip() for value in text.split(";")] if field.several else [text.strip()]
+    taken = [_one(field, value, door) for value in one if value]
     if not taken:
         return None
     return taken if field.several else taken[0]
@@ -347,14 +347,14 @@ def _tables(table: Mapping[str, Any], path: tuple[str, ...]) -> Iterator[str]:
             yield f"\n[{'.'.join(map(_key, (*path, key)))}]\n"
             yield from _tables(value, (*path, key))
         elif _is_below(value):
-            for each in value:
+            for row in value:
                 yield f"\n[[{'.'.join(map(_key, (*path, key)))}]]\n"
-                yield from _tables(each, (*path, key))
+                yield from _tables(row, (*path, key))
 
 
 def _is_below(value: Any) -> bool:
     if isinstance(value, list):
-        return bool(value) and all(isinstance(each, dict) for each in value)
+        return bool(value) and all(isinstance(row, dict) for row in value)
     return isinstance(value, dict)
 
 

@@ -64,6 +64,6 @@ def progress() -> dict[str, object]:
 
 def stop() -> dict[str, object]:
     """Stop the run at its next step."""
-    for each in _now:
-        each.stops.set()
+    for started in _now:
+        started.stops.set()
     return {}

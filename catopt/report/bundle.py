@@ -84,7 +84,7 @@ def write_files(
     except OSError as error:
         raise _refused(directory, _reason(error)) from error
     of = contents.get(DESIGN_CASE) if case is None else case
-    places = {directory / name: _marked(each, of) for name, each in contents.items()}
+    places = {directory / name: _marked(data, of) for name, data in contents.items()}
     for place in places:
         if any((place.exists() and read.exists() and place.samefile(read)) for read in keep):
             raise _refused(place, Message("refused_command.is_read"))
@@ -169,7 +169,7 @@ def _of_tension(solution: Solution) -> Drawing:
     from catopt.figures.line import tension_along
 
     factor = solution.safety_factor
-    allowed = [each.MBL and each.MBL / factor for each in solution.segments]
+    allowed = [segment.MBL and segment.MBL / factor for segment in solution.segments]
     basis = Message("figures.MBL_over", factor=factor)
     return Drawing((tension_along(solution, allowed, basis),), solution.title)
 
@@ -262,7 +262,7 @@ def design_pictures(result: DesignResult) -> dict[str, bytes]:
 def _of_sizing(of: Sizing) -> Drawing:
     """Draw the recommended line in the load case that is hardest on it."""
     name, solution = of.hardest
-    state = next(each for each in of.case.load_cases if each.name == name)
+    state = next(load_case for load_case in of.case.load_cases if load_case.name == name)
     return _of_line(solution, of.case.site.water_depth + state.water_level, of.case.title)
 
 
@@ -341,7 +341,7 @@ def _numbered(name: str, drawings: Iterator[Drawing], count: int) -> dict[str, D
     """Name one drawing as it is, and each of several by its number."""
     if count == 1:
         return {name: next(drawings)}
-    return {f"{name}_{number}": each for number, each in enumerate(drawings, start=1)}
+    return {f"{name}_{number}": drawing for number, drawing in enumerate(drawings, start=1)}
 
 
 def verification_pictures(found: Verification) -> dict[str, bytes]:
@@ -368,7 +368,9 @@ def motion_pictures(found: DynamicVerification, language: Language = "en") -> di
         part = found.governing
         drawn = _pictures({"dynamic": _of_motion(part, f"{title}, {part.where}")})
         return drawn | _afloat(found, language)
-    titles = [title] if len(parts) == 1 else [f"{title}, {each.name}".strip(", ") for each in parts]
+    titles = (
+        [title] if len(parts) == 1 else [f"{title}, {chart.name}".strip(", ") for chart in parts]
+    )
     drawings = map(_of_motion, parts, titles)
     drawn = _pictures(_on_slope(found) | _numbered("dynamic", drawings, len(parts)))
     return drawn | _afloat(found, language)
@@ -395,7 +397,7 @@ def _on_slope(found: DynamicVerification) -> dict[str, Drawing]:
     if site.seabed_slope == 0.0:
         return {}
     part = found.parts[0]
-    levels = {each.name: each.water_level for each in found.case.load_cases}
+    levels = {state.name: state.water_level for state in found.case.load_cases}
     depth = site.water_depth + levels.get(part.name, 0.0)
     return {"line": Drawing((on_slope(part, depth, site.seabed_slope),), found.case.title)}
 
@@ -412,9 +414,9 @@ def _of_study(result: StudyResult) -> Drawing:
     """Draw how often values are exceeded: of the quantities with limits, or else of the first."""
     from catopt.figures.studies import share_worse
 
-    known = [each for each in result.statistics if each.least < each.largest]
-    drawn = [each for each in known if each.limit is not None] or known[:1]
-    return Drawing(tuple(share_worse(result, each) for each in drawn), result.study.title)
+    known = [statistic for statistic in result.statistics if statistic.least < statistic.largest]
+    drawn = [statistic for statistic in known if statistic.limit is not None] or known[:1]
+    return Drawing(tuple(share_worse(result, statistic) for statistic in drawn), result.study.title)
 
 
 def reproduction_pictures(result: Reproduction) -> dict[str, bytes]:
@@ -439,8 +441,8 @@ def _of_reproduced(study: Study) -> dict[str, Drawing]:
 
     drawn: dict[str, Drawing] = {}
     if study.drawn:
-        lines = [(each.name, each.solution) for each in study.drawn]
-        depth = max(each.depth or each.solution.fairlead_height for each in study.drawn)
+        lines = [(line.name, line.solution) for line in study.drawn]
+        depth = max(line.depth or line.solution.fairlead_height for line in study.drawn)
         charts = (studies.lines_to_scale(lines, depth),)
         drawn[f"{study.name}_lines"] = Drawing(charts, study.title)
     if study.moorings:

@@ -40,8 +40,8 @@ def browser() -> str:
         if found is None:
             raise refused(BROWSER, own, Message("refused_command.no_such_browser"), "environment")
         return found
-    for each in _browsers():
-        if found := shutil.which(each):
+    for program in _browsers():
+        if found := shutil.which(program):
             return found
     raise refused("--pdf", "", Message("refused_command.no_browser", variable=BROWSER), "options")
 
@@ -49,7 +49,7 @@ def browser() -> str:
 def _browsers() -> Iterator[str]:
     yield from (*_NAMES, *_PLACES)
     for folder in ("PROGRAMFILES", "PROGRAMFILES(X86)", "LOCALAPPDATA"):
-        yield from (str(Path(os.environ.get(folder, "")) / each) for each in _ON_WINDOWS)
+        yield from (str(Path(os.environ.get(folder, "")) / place) for place in _ON_WINDOWS)
 
 
 def printed(page: bytes, by: str) -> bytes:

@@ -52,7 +52,7 @@ def _misfits(value: Any, schema: Schema, path: Path, whole: Mapping[str, Any]) -
         yield from _misfits(value, referred, path, whole)
     if "type" in schema and not _is_of(value, schema["type"]):
         kinds = [schema["type"]] if isinstance(schema["type"], str) else schema["type"]
-        what = Listed([Message(_KINDS[each][1]) for each in kinds], "or")
+        what = Listed([Message(_KINDS[kind][1]) for kind in kinds], "or")
         yield path, _shown(value), Message("refused.this_is_wanted", what=what)
         return
     yield from ((path, _shown(value), allowed) for allowed in _of_value(value, schema))
@@ -67,7 +67,7 @@ def _of_value(value: Any, schema: Mapping[str, Any]) -> Iterator[Message]:
     """Say what a single value has to be otherwise."""
     if "const" in schema and not _same(value, schema["const"]):
         yield Message("refused.this_is_wanted", what=_shown(schema["const"]))
-    if "enum" in schema and not any(_same(value, each) for each in schema["enum"]):
+    if "enum" in schema and not any(_same(value, word) for word in schema["enum"]):
         yield Message("refused.one_of", words=", ".join(map(_shown, schema["enum"])))
     if isinstance(value, str) and not re.search(schema.get("pattern", ""), value):
         yield Message("refused.must_match", pattern=schema["pattern"])
@@ -84,8 +84,8 @@ def _of_array(
         yield path, _shown(value), Message("refused.at_least_wanted", count=schema["minItems"])
     if len(value) > schema.get("maxItems", len(value)):
         yield path, _shown(value), Message("refused.at_most_wanted", count=schema["maxItems"])
-    for index, each in enumerate(value):
-        yield from _misfits(each, schema.get("items", True), (*path, index), whole)
+    for index, item in enumerate(value):
+        yield from _misfits(item, schema.get("items", True), (*path, index), whole)
 
 
 def _of_object(
@@ -95,12 +95,12 @@ def _of_object(
     for key in schema.get("required", ()):
         if key not in value:
             yield (*path, key), "", Message("refused.is_missing")
-    for key, each in value.items():
+    for key, item in value.items():
         further = known.get(key, schema.get("additionalProperties", True))
         if further is False and key not in known:
             yield (*path, key), Message("refused.unknown_key"), Message("refused.leave_out")
         else:
-            yield from _misfits(each, further, (*path, key), whole)
+            yield from _misfits(item, further, (*path, key), whole)
 
 
 def _combined(
@@ -110,8 +110,8 @@ def _combined(
     for keyword in ("oneOf", "anyOf"):
         if keyword not in schema:
             continue
-        tried = [list(_misfits(value, each, path, whole)) for each in schema[keyword]]
-        fitting = sum(not each for each in tried)
+        tried = [list(_misfits(value, option, path, whole)) for option in schema[keyword]]
+        fitting = sum(not misfits for misfits in tried)
         if not fitting:  # the one that fits furthest into the document was meant
             yield from max(tried, key=lambda each: max(len(place) for place, _, _ in each))
         elif keyword == "oneOf" and fitting > 1:

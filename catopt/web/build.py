@@ -48,7 +48,9 @@ def document(pieces: Mapping[str, bytes] | Sequence[str] | None = None) -> str:
     if pieces is not None:  # what the page opens with, so that it need not wait for Python
         door = DOORS[0]
         question = {"door": door, "values": START[door]}
-        first = {each: {door: ask("whole", {**question, "lang": each})} for each in LANGUAGES}
+        first = {
+            language: {door: ask("whole", {**question, "lang": language})} for language in LANGUAGES
+        }
     text = _file("web", "index.html")
     policy = ("default-src 'none'", _SCRIPT, "worker-src blob:", f"connect-src {connects}", _STYLE)
     filled = {
@@ -57,7 +59,7 @@ def document(pieces: Mapping[str, bytes] | Sequence[str] | None = None) -> str:
         "imports": json.dumps({"imports": _modules()}),
         "transport": "app" if pieces is None else "worker",
         "shells": _inert(
-            json.dumps({each: shell(each, runs=pieces is None) for each in LANGUAGES})
+            json.dumps({language: shell(language, runs=pieces is None) for language in LANGUAGES})
         ),
         "first": _inert(json.dumps(first)),
         "pieces": "" if pieces is None else _pieces(list(pieces), inside),
@@ -119,7 +121,7 @@ class PinnedPart:
 def parts() -> tuple[PinnedPart, ...]:
     """List what a browser needs beside catopt; Pyodide comes first."""
     table = tomllib.loads(files("catopt.web").joinpath("parts.toml").read_text("utf-8"))
-    return tuple(PinnedPart(**each) for each in table["parts"])
+    return tuple(PinnedPart(**part) for part in table["parts"])
 
 
 def fetched(part: PinnedPart, folder: Path | None = None) -> bytes:
@@ -155,7 +157,7 @@ def pieces(read: Callable[[PinnedPart], bytes]) -> dict[str, bytes]:
     made = {name: loader[f"package/{name}"] for name in _LOADER}
     lock = json.loads(loader["package/pyodide-lock.json"]) | {"packages": {}}
     made["pyodide-lock.json"] = json.dumps(lock).encode()
-    made["site.zip"] = site([read(each) for each in others])
+    made["site.zip"] = site([read(part) for part in others])
     return {name: gzip.compress(data, 9, mtime=0) for name, data in made.items()}
 
 
@@ -197,7 +199,9 @@ def _unpacked(archive: bytes) -> dict[str, bytes]:
         with zipfile.ZipFile(io.BytesIO(archive)) as packed:
             return {name: packed.read(name) for name in packed.namelist() if name[-1] != "/"}
     with tarfile.open(fileobj=io.BytesIO(archive)) as packed_tar:
-        found = ((each.name, packed_tar.extractfile(each)) for each in packed_tar.getmembers())
+        found = (
+            (member.name, packed_tar.extractfile(member)) for member in packed_tar.getmembers()
+        )
         return {name: data.read() for name, data in found if data is not None}
 
 

@@ -123,7 +123,7 @@ class ndarray:  # noqa: N801 - the name it takes the place of
         """Find what two or three indices ask for."""
         if row.__class__ is int:
             return self[row][more[0] if len(more) == 1 else more]
-        taken = [self[each][more[0]] for each in _places(row, len(self))]
+        taken = [self[place][more[0]] for place in _places(row, len(self))]
         width = len(_places(more[0], self.shape[1]))
         return _stacked(taken, () if more[0].__class__ is int else (width,))
 
@@ -136,18 +136,18 @@ class ndarray:  # noqa: N801 - the name it takes the place of
             self[row][column] = value
             return
         many = isinstance(value, (ndarray, list, tuple))
-        for number, each in enumerate(_places(row, len(self))):
+        for number, place in enumerate(_places(row, len(self))):
             own = value[number] if many else value
             if len(self.shape) == 1:
-                self.data[self.start + range(self.size)[each]] = own
+                self.data[self.start + range(self.size)[place]] = own
             else:
-                self[each][column] = own
+                self[place][column] = own
 
     def _with(self, other: Any, what: Callable[[Any, Any], Any]) -> ndarray:
         """Combine number by number; one row goes with every row of a table."""
         own = self._flat()
         if not isinstance(other, ndarray):
-            return ndarray([what(each, other) for each in own], self.shape)
+            return ndarray([what(value, other) for value in own], self.shape)
         if self.size < other.size:
             return other._with(self, _turned(what))
         theirs = other._flat()
@@ -158,7 +158,7 @@ class ndarray:  # noqa: N801 - the name it takes the place of
         return ndarray([what(a, b) for a, b in zip(own, theirs, strict=True)], self.shape)
 
     def _each(self, what: Callable[[Any], Any]) -> ndarray:
-        return ndarray([what(each) for each in self._flat()], self.shape)
+        return ndarray([what(value) for value in self._flat()], self.shape)
 
     __add__ = _by(operator.add)
     __sub__ = _by(operator.sub)
@@ -200,8 +200,8 @@ def _places(at: Any, count: int) -> list[int]:
     if at.__class__ is slice:
         return list(range(*at.indices(count)))
     chosen = at.tolist() if isinstance(at, ndarray) else list(at)
-    if len(chosen) == count and all(each is True or each is False for each in chosen):
-        return [number for number, each in enumerate(chosen) if each]
+    if len(chosen) == count and all(mark is True or mark is False for mark in chosen):
+        return [number for number, mark in enumerate(chosen) if mark]
     return chosen
 
 
@@ -209,7 +209,7 @@ def _stacked(parts: Sequence[Any], shape: tuple[int, ...]) -> ndarray:
     """Put numbers or rows, each of a shape, into one array."""
     if not shape:
         return ndarray(list(parts), (len(parts),))
-    flat = [each for part in parts for each in part._flat()]
+    flat = [value for part in parts for value in part._flat()]
     return ndarray(flat, (len(parts), *shape))
 
 
@@ -221,9 +221,9 @@ def array(values: Any, dtype: type | None = None) -> ndarray:
     if values and isinstance(values[0], (list, tuple, ndarray)):
         rows = [array(row, dtype) for row in values]
         return _stacked(rows, rows[0].shape)
-    if dtype is None and any(isinstance(each, float) for each in values):
+    if dtype is None and any(isinstance(value, float) for value in values):
         dtype = float
-    return ndarray([dtype(each) for each in values] if dtype else values, (len(values),))
+    return ndarray([dtype(value) for value in values] if dtype else values, (len(values),))
 
 
 def asarray(values: Any, dtype: type | None = None) -> ndarray:
@@ -270,7 +270,7 @@ def linspace(first: float, last: float, count: int) -> ndarray:
 def concatenate(parts: Sequence[Any]) -> ndarray:
     """Put arrays one after the other."""
     arrays = [asarray(part) for part in parts]
-    flat = [each for part in arrays for each in part._flat()]
+    flat = [value for part in arrays for value in part._flat()]
     return ndarray(flat, (sum(map(len, arrays)), *arrays[0].shape[1:]))
 
 
@@ -283,7 +283,7 @@ def where(condition: ndarray, one: Any, other: Any) -> ndarray:
     """Choose number by number."""
     count = condition.size
     ones, others = (
-        each._flat() if isinstance(each, ndarray) else [each] * count for each in (one, other)
+        side._flat() if isinstance(side, ndarray) else [side] * count for side in (one, other)
     )
     chosen = zip(condition._flat(), ones, others, strict=True)
     return ndarray([a if is_so else b for is_so, a, b in chosen], condition.shape)
@@ -319,7 +319,7 @@ argmin, argmax = _first(min), _first(max)
 
 def flatnonzero(values: ndarray) -> ndarray:
     """List where something is true."""
-    return array([number for number, each in enumerate(values._flat()) if each])
+    return array([number for number, value in enumerate(values._flat()) if value])
 
 
 def argsort(values: ndarray, kind: str = "stable") -> ndarray:  # noqa: ARG001

@@ -83,7 +83,7 @@ def display_name(name: str, language: Language) -> str:
 @cache
 def _names(language: Language) -> Mapping[str, str]:
     """Names by their English, the longer ones first."""
-    found = {str(each["en"]): str(each[language]) for each in group("names").values()}
+    found = {str(texts["en"]): str(texts[language]) for texts in group("names").values()}
     return dict(sorted(found.items(), key=lambda each: -len(each[0])))
 
 
@@ -101,7 +101,7 @@ def typed_name(said: str) -> str:
 
     shown = _shown()
     plain = normalize("NFC", said.strip()).casefold()
-    family = next((each for each in shown if plain.startswith(f"{each} ")), "")
+    family = next((name for name in shown if plain.startswith(f"{name} ")), "")
     if plain in shown or not family:
         return shown.get(plain, said)
     return shown[family] + normalize("NFC", said.strip())[len(family) :]
@@ -135,7 +135,7 @@ class _Filled(Formatter):
 
 
 _FILLED: Mapping[Language, _Filled] = MappingProxyType(
-    {each: _Filled("," if each == "en" else "\u00a0") for each in LANGUAGES}
+    {language: _Filled("," if language == "en" else "\u00a0") for language in LANGUAGES}
 )
 """A comma is the decimal sign of many other languages: beside a point it would mislead."""
 
@@ -467,8 +467,8 @@ def say_refusal(source: str, problems: Iterable[_Problem], language: Language = 
     every = tuple(problems)
     place = Several((term(source), ": "), "") if source else ""
     head = Message("refused.head", source=place, count=len(every))
-    lines = (on_one_line(say(problem_words(each), language)) for each in every)
-    return "\n".join([say(head, language), *(f"  {each}" for each in lines)])
+    lines = (on_one_line(say(problem_words(problem), language)) for problem in every)
+    return "\n".join([say(head, language), *(f"  {line}" for line in lines)])
 
 
 def problem_words(problem: _Problem) -> Message:
