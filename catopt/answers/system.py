@@ -18,7 +18,7 @@ from catopt.answers.blocks import (
     tabulate,
     texts,
 )
-from catopt.answers.check import verdict_blocks
+from catopt.answers.check import verdict_blocks, verdict_column
 from catopt.answers.floats import (
     buoyancy_on_card,
     buoyancy_tables,
@@ -29,6 +29,7 @@ from catopt.answers.floats import (
 )
 from catopt.answers.places import hung_on_card, if_free, legs_tables, places_tables
 from catopt.answers.solution import current_in_words, forces_at_ends
+from catopt.checks.result import AtLevels
 from catopt.quantities import QUANTITIES
 from catopt.words import Measure, Message
 
@@ -60,8 +61,11 @@ _LOADS = {
 """Components of the lines' load on a body, and their symbols."""
 
 
-def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
-    """Lay out a moored body."""
+def system_answer(
+    report: SystemReport, checks: CheckReport, at_levels: AtLevels | None = None
+) -> blocks.Answer:
+    """Lay out a moored body; `at_levels`: with the checks of other water levels."""
+    everywhere = at_levels or AtLevels(checks, ())
     freedom = "mooring.x_y_and_yaw" if report.solution.system.turns else "mooring.x_and_y"
     count, circle = len(report.solution.lines), report.circle
     solved = Message("mooring.solved", count=count, freedom=Message(freedom))
@@ -76,7 +80,11 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
         report.case.title or Message("captions.moored_body"),
         section("captions.body", blocks.Text(solved), _body(report)),
         section("captions.lines", *lines),
-        section("captions.checks", *verdict_blocks(checks), *([judged] if checks.results else [])),
+        section(
+            "captions.checks",
+            *verdict_blocks(everywhere.whole),
+            *([judged] if checks.results else []),
+        ),
         *(
             [section("captions.one_line_out", line_out_table(report), *lost)]
             if report.line_out
@@ -84,14 +92,16 @@ def system_answer(report: SystemReport, checks: CheckReport) -> blocks.Answer:
         ),
         *([section("captions.watch_circle", circle_table(circle))] if circle else []),
         *(_curve(number, each) for number, each in enumerate(report.curves, start=1)),
-        *_levels(report.levels),
+        *_levels(report.levels, everywhere.others),
         *(fixed_section(*each) for each in enumerate(report.at_displacement, start=1)),
-        section("captions.residuals", *_closing(report, checks)),
+        section("captions.residuals", *_closing(report, everywhere.whole)),
     )
-    return replace(whole, card=tuple(_card(report, checks, solved)))
+    return replace(whole, card=tuple(_card(report, checks, everywhere, solved)))
 
 
-def _card(report: SystemReport, checks: CheckReport, solved: Message) -> Iterator[blocks.CardBlock]:
+def _card(
+    report: SystemReport, checks: CheckReport, everywhere: AtLevels, solved: Message
+) -> Iterator[blocks.CardBlock]:
     """Say what the checks come to, where the body is, what its lines carry, and what was asked."""
     # With symbols, which tell apart facts of one name: a stiffness along x, and along y.
     known = tuple(
@@ -99,21 +109,21 @@ def _card(report: SystemReport, checks: CheckReport, solved: Message) -> Iterato
         for each in body_facts(report.solution)
         if each.only != "files" and each.value and each.quantity is not None
     )
-    yield from verdict_blocks(checks)
+    yield from verdict_blocks(everywhere.whole)
     body = blocks.Facts("body", known, Message("captions.body"))
-    asked, lines = list(_asked(report)), lines_table(report.solution, checks)
+    asked, lines = list(_asked(report, everywhere)), lines_table(report.solution, checks)
     yield from asked
     yield from (lines, body) if asked else (body, lines)
     *_, shapes = legs_tables(report.solution)
     yield from hung_on_card(each.placed_loads for each in report.solution.lines)
     yield from if_free(shapes, [each.solution for each in report.solution.lines])
-    for block in _closing(report, checks):
+    for block in _closing(report, everywhere.whole):
         if isinstance(block, blocks.Warnings):
             yield from blocks.briefly(block.said, blocks.TO_BE_KNOWN, 3)
     yield blocks.Brief((solved,))
 
 
-def _asked(report: SystemReport) -> Iterator[blocks.Table]:
+def _asked(report: SystemReport, everywhere: AtLevels) -> Iterator[blocks.Table]:
     """Yield the tables of what was asked beside the equilibrium."""
     if report.line_out:
         yield line_out_table(report)
@@ -121,7 +131,7 @@ def _asked(report: SystemReport) -> Iterator[blocks.Table]:
         yield circle_table(report.circle)
     yield from (curve_table(number, each) for number, each in enumerate(report.curves, start=1))
     held = (fixed_section(*each) for each in enumerate(report.at_displacement, start=1))
-    for of in (*_levels(report.levels), *held):
+    for of in (*_levels(report.levels, everywhere.others), *held):
         yield from (each for each in of.blocks if isinstance(each, blocks.Table))
 
 
@@ -254,7 +264,9 @@ def _curve(number: int, curve: RestoringCurve) -> blocks.Section:
     return section(title, table, blocks.Graph(title, table.name, x=1, y=(2,)))
 
 
-def _levels(levels: Sequence[AtLevel]) -> Iterator[blocks.Section]:
+def _levels(levels: Sequence[AtLevel], checks: Sequence[CheckReport]) -> Iterator[blocks.Section]:
+    """Tabulate the mooring at other water levels, with what its checks come to there."""
+    judged = [each for each in checks if each.results]
     if levels:
         of, title = Rows(levels), Message("captions.water_levels")
         columns = (
@@ -268,7 +280,9 @@ def _levels(levels: Sequence[AtLevel]) -> Iterator[blocks.Section]:
             *if_known(
                 of.measured("height", "floating.draught", "draught", symbol="", only="files"),
                 of.measured("height", "floating.freeboard", "freeboard", symbol=""),
+                measured("utilisation", [each.used() for each in judged]),
             ),
+            *([verdict_column(each.passes for each in judged)] if judged else []),
         )
         under = [
             f"{Measure('height', each.level)}"
@@ -355,8 +369,10 @@ def network_answer(
     circle: WatchCircle | None = None,
     curves: Sequence[RestoringCurve] = (),
     levels: Sequence[AtLevel] = (),
+    at_levels: AtLevels | None = None,
 ) -> blocks.Answer:
     """Lay out bodies, joints and lines at rest and where the body is held, with the stiffnesses."""
+    everywhere = at_levels or AtLevels(checks, ())
     network = rest.network
     joints = sum(point.kind == "joint" for point in network.points)
     counts = {"lines": len(network.lines), "joints": joints, "bodies": len(rest.bodies)}
@@ -392,17 +408,17 @@ def network_answer(
             joints_table(rest, "joints"),
         ),
         section("captions.lines", meeting_table(rest, "lines", checks), *places_tables(rest)),
-        section("captions.checks", *verdict_blocks(checks)),
+        section("captions.checks", *verdict_blocks(everywhere.whole)),
         *([section("captions.one_line_out", out, *lost)] if line_out else []),
         *([section("captions.watch_circle", circle_table(circle))] if circle else []),
         *(_curve(number, each) for number, each in enumerate(curves, start=1)),
-        *_levels(levels),
+        *_levels(levels, everywhere.others),
         *(fixed_section(number, body) for number, body in enumerate(bodies, start=1)),
         *(section(Message("captions.held_lines", number=k), *each) for k, *each in tables),
         section(
             "captions.residuals",
             blocks.Text(Message("mooring.residual_of_joints", value=residual)),
-            blocks.Warnings(checks.warnings),
+            blocks.Warnings(everywhere.whole.warnings),
         ),
     )
     *_, shapes = places_tables(rest)
@@ -410,13 +426,13 @@ def network_answer(
     card: tuple[blocks.CardBlock, ...] = (
         *floating_on_card(rest),
         *buoyancy_on_card(rest),
-        *verdict_blocks(checks),
+        *verdict_blocks(everywhere.whole),
         *([out] if line_out else []),
         *([circle_table(circle)] if circle else []),
         *(curve_table(number, each) for number, each in enumerate(curves, start=1)),
         *(
             each
-            for of in _levels(levels)
+            for of in _levels(levels, everywhere.others)
             for each in of.blocks
             if isinstance(each, blocks.Table | blocks.Text)
         ),
@@ -426,7 +442,7 @@ def network_answer(
         *hung_on_card(each.point_loads for each in rest.named_lines),
         *([] if in_current else [joints_table(rest, "joints")]),
         *if_free(shapes, rest.lines),
-        *blocks.briefly(checks.warnings, blocks.TO_BE_KNOWN, 3),
+        *blocks.briefly(everywhere.whole.warnings, blocks.TO_BE_KNOWN, 3),
         blocks.Brief((solved,)),
     )
     return replace(whole, card=card)

@@ -29,7 +29,7 @@ from catopt.model.load import LoadCaseKind
 from catopt.words import Listed, Measure, Message, Several, term
 
 if TYPE_CHECKING:
-    from catopt.mooring.network_rest import BodyAtRest
+    from catopt.mooring.network_rest import BodyAtRest, FloatAtRest
 
 NO_CHECK: Final = "checks.none"
 """Key of the warning that nothing is checked."""
@@ -254,6 +254,26 @@ def check_afloat(
             found = found._replace(exceedance=deep, note=said)
         name = Message("checks.buoyancy_of", name=each.body.name)
         own = Criterion("buoyancy", floating.reserve, USER)
+        yield result_of("buoyancy", own, found, load_case, place, name)
+
+
+def check_floats(
+    floats: Iterable[FloatAtRest], load_case: str, place: Place
+) -> Iterator[CheckResult]:
+    """Hold what lines use of each float of a known height against its buoyancy.
+
+    One without a height may be meant to be under water, as a buoy below the surface is.
+    """
+    for each in floats:
+        if each.of.float_height is None:
+            continue
+        found = Demand(each.used, each.buoyancy, ratio_exceedance(each.used, each.buoyancy))
+        if each.under > 0.0:
+            said = Message("checks.under_water", under=Measure("height", each.under))
+            deep = max(found.exceedance, each.under / each.of.float_height)
+            found = found._replace(exceedance=deep, note=said)
+        name = Message("checks.buoyancy_of", name=each.name)
+        own = Criterion("buoyancy", each.buoyancy, USER)
         yield result_of("buoyancy", own, found, load_case, place, name)
 
 

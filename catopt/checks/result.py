@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
 from catopt.catenary.solution import Solution
 from catopt.checks.kinds import CHECK_UNITS, ROUNDING, CheckKind, CheckSource, Place
@@ -261,6 +261,15 @@ class CheckReport(Displayable, Record):
     def brief(self) -> ChecksInBrief:
         """The verdict of a body, as ``catopt system`` has it."""
         return ChecksInBrief(self)
+
+
+class AtLevels(NamedTuple):
+    """Checks of a mooring at its own water level and at others."""
+
+    whole: CheckReport
+    """Of all levels; those of others name theirs."""
+    others: tuple[CheckReport, ...]
+    """Of each other level alone."""
 
 
 @dataclass(frozen=True)

@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import TypeVar
 
 from catopt.checks.criteria import HORIZONTAL_PULL, Criteria, Strength, criteria_of
 from catopt.checks.evaluation import (
     Lifted,
     check_afloat,
     check_buoyancy,
+    check_floats,
     evaluate,
     of_criteria,
     of_transient,
     of_uplift,
 )
-from catopt.checks.kinds import Criterion, Place, State
-from catopt.checks.result import CheckReport, CheckResult, line_in_state
+from catopt.checks.kinds import ROUNDING, Criterion, Place, State
+from catopt.checks.result import AtLevels, CheckReport, CheckResult, line_in_state
 from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, Leg, Line
 from catopt.model.network import Network
@@ -25,8 +27,9 @@ from catopt.mooring.case import LineOut, SystemReport, one_line_out, report_syst
 from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.network_out import NetworkOut, each_line_out
 from catopt.mooring.network_rest import LinesAtRest
+from catopt.mooring.restoring import WatchCircle
 from catopt.mooring.solution import SystemSolution, of_line
-from catopt.words import Message
+from catopt.words import Measure, Message
 
 
 @dataclass(frozen=True)
@@ -244,6 +247,7 @@ def check_network(
                 place=own,
             )
         results += check_afloat(found.bodies, state_words(place), place)
+        results += check_floats(found.floats, state_words(place), place)
     warnings = (
         *(
             said
@@ -271,6 +275,48 @@ def check_network(
         places=tuple(place for _, place, _ in solved),
         case=network,
     )
+
+
+M = TypeVar("M", Case, Network)
+
+
+def check_at_levels(
+    report: CheckReport, check: Callable[[M], CheckReport], mooring: M, levels: Sequence[float]
+) -> AtLevels:
+    """Check a mooring that has been checked at its own water level at others, m above it, too."""
+    others: tuple[CheckReport, ...] = tuple(check(mooring.raised(level)) for level in levels)
+    results: tuple[CheckResult, ...] = tuple(
+        replace(each, load_case=Message("checks.state_under", state=each.load_case, load=load))
+        for load, other in zip(map(_level_words, levels), others, strict=True)
+        for each in other.results
+    )
+    warnings = (*report.warnings, *(said for other in others for said in other.warnings))
+    every = (*report.results, *results)
+    whole = replace(report, results=every, warnings=tuple(dict.fromkeys(warnings)))
+    return AtLevels(whole, others)
+
+
+def with_circle(report: CheckReport, circle: WatchCircle | None) -> CheckReport:
+    """Say of checks where the load from another side is harder on a line than its own."""
+    if circle is None or not report.results:
+        return report
+    own = [
+        segment.max_tension
+        for (_, solution), place in zip(report.solutions, report.places, strict=True)
+        if place.state == "intact"
+        for segment in solution.segments
+    ]
+    hardest = circle.responses[circle.hardest].largest_tension
+    if hardest <= max(own) * (1.0 + ROUNDING):
+        return report
+    angle = Measure("angle", circle.directions[circle.hardest])
+    tension = Measure("tension", hardest)
+    said = Message("checks.other_directions", angle=angle, tension=tension)
+    return replace(report, warnings=(said, *report.warnings))
+
+
+def _level_words(level: float) -> Message:
+    return Message("checks.water_level", level=Measure("height", level))
 
 
 def criteria_of_network(network: Network) -> Criteria:

@@ -233,6 +233,7 @@ SUBJECTS: Final[dict[str, Subject]] = {
         lambda of: of.has_said("checks.no_strength_criterion") and not of.has_check("tension"),
         ways=("case", "size"),
     ),
+    "directions": Subject(lambda of: of.has_said("checks.other_directions")),
     "breaking": Subject(
         lambda of: of.has_said(
             *("loads.calmar_stops", "loads.departs_breaking", "loads.breaks"),

@@ -72,7 +72,7 @@ def answered_as_mooring(
 
 def answer_mooring(asked: Asked, read: Case | Network, wanted: Wanted) -> None:
     """Bring a body, or lines between points, to rest, and answer."""
-    from catopt.checks.system import check_system
+    from catopt.checks.system import check_at_levels, check_system, with_circle
     from catopt.mooring.case import report_system
     from catopt.report.bundle import system_pictures
 
@@ -88,19 +88,21 @@ def answer_mooring(asked: Asked, read: Case | Network, wanted: Wanted) -> None:
         with_stiffness=wanted.stiffness,
         displacements=wanted.displacements,
     )
-    checks = check_system(read, report)
+    checks = with_circle(check_system(read, report), report.circle)
+    at_levels = check_at_levels(checks, check_system, read, wanted.levels)
     if wanted.circle and report.circle is None:
         asked.output.note(say(Message("mooring.no_circle"), asked.language))
 
     def document() -> dict[str, Any]:
-        return report.to_dict() | {"checks": checks.brief.to_dict()}
+        return report.to_dict() | {"checks": at_levels.whole.brief.to_dict()}
 
-    asked.give(system_answer(report, checks), document, read, partial(system_pictures, report))
+    answer = system_answer(report, checks, at_levels)
+    asked.give(answer, document, read, partial(system_pictures, report))
 
 
 def _network(asked: Asked, network: Network, wanted: Wanted) -> None:
     """Bring points, lines and bodies to rest, and hold their body where that is asked for."""
-    from catopt.checks.system import check_network
+    from catopt.checks.system import check_at_levels, check_network, with_circle
     from catopt.mooring.case import at_levels, network_curves
     from catopt.mooring.fixed_body import at_rest, hold
     from catopt.mooring.network_out import each_line_out
@@ -131,6 +133,8 @@ def _network(asked: Asked, network: Network, wanted: Wanted) -> None:
         circle = watch_circle(network, force=force or 1.0)
     curves = network_curves(rest, wanted.directions)
     levels = at_levels(network, wanted.levels)
+    judged = with_circle(judged, circle)
+    everywhere = check_at_levels(judged, check_network, network, wanted.levels)
     answer = network_answer(
         rest,
         away,
@@ -140,8 +144,9 @@ def _network(asked: Asked, network: Network, wanted: Wanted) -> None:
         circle=circle,
         curves=curves,
         levels=levels,
+        at_levels=everywhere,
     )
-    more: dict[str, Any] = {"checks": judged.brief.to_dict()}
+    more: dict[str, Any] = {"checks": everywhere.whole.brief.to_dict()}
     if wanted.line_out:
         more["one_line_out"] = [each.to_dict() for each in gone]
     if circle is not None:

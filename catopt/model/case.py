@@ -268,6 +268,11 @@ class Case(Checked):
         wanted = Message("refused_motion.missing_table_system_with_anchor")
         raise refused("system", "", wanted)
 
+    def raised(self, by: float) -> Case:
+        """Return the case of a body on several lines at another water level, m above its own."""
+        site = replace(self.site, water_depth=self.site.water_depth + by)
+        return replace(self, site=site, system=self.own_system.raised(by))
+
     @property
     def keyed_lines(self) -> Iterator[tuple[str, Line]]:
         """Its lines by their keys in the file."""
