@@ -21,6 +21,10 @@ if TYPE_CHECKING:
 _ON_CHAIN: Final = "loads.current_on_chain"
 
 
+ESTIMATED_HEEL: Final = math.radians(15.0)
+"""rad: beyond it the righting moment is no longer in proportion to the heel, as is taken."""
+
+
 @dataclass(frozen=True)
 class FloatsInStorm(Record):
     """How a buoy floats where its line pulls it down the most, under steady forces."""
@@ -54,6 +58,13 @@ class FloatsInStorm(Record):
             heel, depth = math.degrees(self.heel), -self.edge_freeboard
             return Message("verdict.deck", heel=heel, depth=depth)
         return None
+
+    @property
+    def heeled(self) -> Message | None:
+        """A steady heel that is an estimate, being large, for the verdict; None below that."""
+        if self.heel is None or self.heel <= ESTIMATED_HEEL:
+            return None
+        return Message("verdict.heeled", heel=math.degrees(self.heel))
 
 
 def floats_in_storm(request: BuoyRequest, of: Sizing) -> FloatsInStorm | None:

@@ -27,10 +27,19 @@ def judgement_of(of: Sizing, who: Who = "size") -> Judgement:
         motion_by=_motion_by(of),
         moves=True,
         remarks=(*of.assumptions, *of.warnings),
-        deck=None if of.floats is None else of.floats.awash,
+        deck=_deck(of),
         no_way=("motion",) if of.afloat is None and of.ship_case is None else (),
     )
     return verdict_of(matter, _checks(of))
+
+
+def _deck(of: Sizing) -> Message | None:
+    """Say what a buoy's deck does under steady forces; of a large heel where nothing judges it."""
+    if of.floats is None:
+        return None
+    moved = () if of.in_motion is None else of.in_motion.checks.results
+    is_judged = any(each.kind == "heel" for each in moved)
+    return of.floats.awash or (None if is_judged else of.floats.heeled)
 
 
 def _motion_by(of: Sizing) -> str:

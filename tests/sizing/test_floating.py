@@ -54,6 +54,19 @@ def test_a_pull_at_the_foot_rights_it() -> None:
     assert heels == sorted(heels, reverse=True)
 
 
+@pytest.mark.parametrize(("wind", "is_large"), [("8 m/s", False), ("25 m/s", True)])
+def test_a_large_heel_is_named_unless_it_is_judged(wind: str, *, is_large: bool) -> None:
+    """The slope of the upright buoy holds up to some 15 deg; beyond, the figure is an estimate."""
+    found = catopt.size_buoy("pillar 1.8 m", depth="12 m", wind=wind, hs="1 m", at_rest=True)
+    assert found.floats is not None
+    assert found.floats.heel is not None
+    assert (math.degrees(found.floats.heel) > 15.0) is is_large
+    named = [each.said for each in found.judgement.not_judged if each.subject == "deck"]
+    assert [f"{math.degrees(found.floats.heel):.0f} deg" in each for each in named] == [
+        True
+    ] * is_large
+
+
 @pytest.mark.parametrize(("wind", "awash"), [("25 m/s", False), ("31 m/s", True)])
 def test_a_deck_edge_under_water_keeps_the_verdict_amber(wind: str, *, awash: bool) -> None:
     """0.5 D sin a against the freeboard's f cos a, less 0.05 m of run-up at 1 m/s."""
@@ -64,7 +77,7 @@ def test_a_deck_edge_under_water_keeps_the_verdict_amber(wind: str, *, awash: bo
     dips = 0.9 * math.sin(floats.heel) + 1.0 / (2.0 * G)
     under = dips > floats.freeboard * math.cos(floats.heel)
     named = [each.said for each in found.judgement.not_judged if each.subject == "deck"]
-    assert under is awash is bool(named)
+    assert under is awash is any("under water" in each for each in named)
     assert found.judgement.colour == "amber"
     if awash:
         assert "deck edge 0.07 m under water" in named[0]
