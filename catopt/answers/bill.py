@@ -14,8 +14,9 @@ from catopt.words import Cited, Measure, Message, Several, term
 
 if TYPE_CHECKING:
     from catopt.catalogue.fittings import Fitting
-    from catopt.model import Case, Segment
-    from catopt.notes.sheet import Sheet
+    from catopt.model import Case, Line, Segment
+    from catopt.model.network import Network
+    from catopt.notes.sheet import Stated
 
 
 class Prices(NamedTuple):
@@ -39,24 +40,23 @@ class _Item(NamedTuple):
     price: float | None = None
 
 
-def bill(sheet: Sheet, held: str, prices: Prices = NO_PRICES) -> Iterator[Block]:
+def bill(sheet: Stated, held: str, prices: Prices = NO_PRICES) -> Iterator[Block]:
     """List what all lines are made of; `held` says what holds one, where more is known of it."""
     parts, (fittings, said) = list(_items(sheet, held, prices)), _fittings(sheet)
     if fittings and prices.fittings is not None:
-        fittings.append(_Item("", Message("note_sheet.fittings_set"), price=prices.fittings))
-    items, lines = Rows([*parts, *fittings]), sheet.lines
-    paid = [_in_all(item, lines, item.price) for item in items.rows]
+        all_fittings = Message("note_sheet.fittings_set")
+        fittings.append(_Item("", all_fittings, price=prices.fittings, number=sheet.lines))
+    items = Rows([*parts, *fittings])
+    paid = [_in_all(item, item.price) for item in items.rows]
     yield tabulate(
         "bill",
         texts("no", range(1, len(items.rows) + 1)),
         items.texts("note_sheet.item", "what"),
         items.texts("note_sheet.code", "code"),
         *items.own("nominal_diameter", "length"),
-        items.texts("note_sheet.count", lambda item: lines * item.number),
+        items.texts("note_sheet.count", "number"),
         items.measured("mass", "mass", "mass_in_air", symbol=""),
-        items.measured(
-            "mass", lambda item: _in_all(item, lines, item.mass), "note_sheet.mass_together"
-        ),
+        items.measured("mass", lambda item: _in_all(item, item.mass), "note_sheet.mass_together"),
         *if_known(measured("cost", paid, "note_sheet.price_together", symbol="")),
     )
     if any(price is not None for price in paid):
@@ -66,8 +66,8 @@ def bill(sheet: Sheet, held: str, prices: Prices = NO_PRICES) -> Iterator[Block]
     yield Text(Message("note_sheet.no_allowance"))
 
 
-def _in_all(item: _Item, lines: int, of_one: float | None) -> float | None:
-    return None if of_one is None else lines * item.number * of_one
+def _in_all(item: _Item, of_one: float | None) -> float | None:
+    return None if of_one is None else item.number * of_one
 
 
 def _of_mass(price: float | None, mass: float | None) -> float | None:
@@ -84,26 +84,33 @@ def _priced(total: float, parts: Sequence[_Item], fittings: Sequence[_Item]) -> 
     return Message("note_sheet.prices_but", total=total, names=Several(unpriced, ", "))
 
 
-def _items(sheet: Sheet, held: str, prices: Prices) -> Iterator[_Item]:
-    """Yield what one line is made of; mass in kg, price in USD."""
-    for segment in sheet.line.segments:
+def _items(sheet: Stated, held: str, prices: Prices) -> Iterator[_Item]:
+    """Yield what the lines are made of; mass in kg, price in USD."""
+    for line, count, _ in sheet.made:
+        yield from _of_line(sheet, line, count, prices)
+    anchors = sum(each.number for each in sheet.made if each.is_held)
+    if sheet.anchor is not None and anchors:
+        name = {"drag": "Drag anchor", "sinker": "Sinker"}[sheet.anchor.kind]
+        mass = sheet.anchor.mass
+        price = _of_mass(prices.sinker, mass) if sheet.anchor.kind == "sinker" else None
+        yield _Item(held, term(name), mass=mass, price=price, number=anchors)
+
+
+def _of_line(sheet: Stated, line: Line, count: int, prices: Prices) -> Iterator[_Item]:
+    for segment in line.segments:
         mass = None if segment.mass is None else segment.mass * segment.length
         code, what = Cited(segment.name or segment.component), described(sheet.case, segment)
         price = _of_mass(prices.chain, mass)
         if price is None and segment.price is not None:
             price = segment.price * segment.length
-        yield _Item(code, what, segment.nominal_diameter, segment.length, mass, price=price)
-    for load in sheet.line.point_loads:
+        yield _Item(code, what, segment.nominal_diameter, segment.length, mass, count, price)
+    for load in line.point_loads:
         key = "clump" if load.submerged_weight > 0.0 else "float"
-        yield _Item("", Message(f"note_sheet.{key}_at", place=load.position), mass=load.mass)
-    if sheet.anchor is not None:
-        name = {"drag": "Drag anchor", "sinker": "Sinker"}[sheet.anchor.kind]
-        mass = sheet.anchor.mass
-        price = _of_mass(prices.sinker, mass) if sheet.anchor.kind == "sinker" else None
-        yield _Item(held, term(name), mass=mass, price=price)
+        what = Message(f"note_sheet.{key}_at", place=load.position)
+        yield _Item("", what, mass=load.mass, number=count)
 
 
-def described(case: Case, segment: Segment) -> str:
+def described(case: Case | Network, segment: Segment) -> str:
     """Say in words what a segment is made of, as its family of the catalogue is called."""
     if not segment.component:
         return Message("note_sheet.no_component")
@@ -117,37 +124,40 @@ def described(case: Case, segment: Segment) -> str:
 # ------------------------------------------------------------------ fittings
 
 
-def _fittings(sheet: Sheet) -> tuple[list[_Item], list[Message]]:
-    """Choose fittings of one line of chain: items, and what is to be said of the choice.
+def _fittings(sheet: Stated) -> tuple[list[_Item], list[Message]]:
+    """Choose fittings of lines of chain: items, and what is to be said of the choice.
 
     There is a shackle at each end and between segments, by the weaker chain that it joins; a single
     line has a swivel between two shackles at its fairlead, a sinker its ring.
     """
-    segments, is_single = sheet.line.segments, sheet.lines == 1
-    is_held_by_ring = sheet.anchor is not None and sheet.anchor.kind == "sinker"
-    ends = [segments[:1], *itertools.pairwise(segments), segments[-1:]]
+    has_ring = sheet.anchor is not None and sheet.anchor.kind == "sinker"
     chosen: Counter[tuple[str, Fitting]] = Counter()
     unknown: dict[Message, None] = {}
-    open_ends = 0
-    for k, joined in enumerate(ends):
-        wanted = {"shackle": 1}
-        if k == 0 and is_held_by_ring:
-            wanted["sinker ring"] = 1
-        if k == len(segments) and is_single:
-            wanted |= {"shackle": 2, "swivel": 1}
-        found = [of for each in joined if (of := fittings_of(each, tuple(wanted))) is not None]
-        if not found:
-            open_ends += 1
-            continue
-        of = min(found, key=lambda each: each.MBL)
-        for use, fitting in of.found.items():
-            chosen[use, fitting] += wanted[use]
-        unknown |= dict.fromkeys(of.missing.values())
+    open_ends = every_open_end = 0
+    for kind in sheet.made:
+        segments = kind.line.segments
+        ends = [segments[:1], *itertools.pairwise(segments), segments[-1:]]
+        for k, joined in enumerate(ends):
+            wanted = {"shackle": 1}
+            if k == 0 and has_ring and kind.is_held:
+                wanted["sinker ring"] = 1
+            if k == len(segments) and sheet.lines == 1:
+                wanted |= {"shackle": 2, "swivel": 1}
+            found = [of for each in joined if (of := fittings_of(each, tuple(wanted))) is not None]
+            if not found:
+                open_ends += 1
+                every_open_end += kind.number
+                continue
+            of = min(found, key=lambda each: each.MBL)
+            for use, fitting in of.found.items():
+                chosen[use, fitting] += kind.number * wanted[use]
+            unknown |= dict.fromkeys(of.missing.values())
     items = [_item(use, fitting, number) for (use, fitting), number in chosen.items()]
     said = [Message("note_sheet.fittings_chosen")] if items else []
     if open_ends:
-        count = {"each": open_ends, "every": open_ends * sheet.lines}
-        said.append(Message("note_sheet.fittings", **count))
+        key = "fittings" if len(sheet.made) == 1 else "fittings_in_all"
+        count = {"each": open_ends, "every": every_open_end}
+        said.append(Message(f"note_sheet.{key}", **count))
     return items, [*said, *unknown]
 
 

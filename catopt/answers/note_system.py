@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from catopt.answers import blocks, places
 from catopt.answers import system as body
+from catopt.answers.bill import bill
 from catopt.answers.blocks import (
     Block,
     Figure,
@@ -440,6 +441,7 @@ def network_note_answer(note: NetworkNote) -> blocks.Answer:
             "lines",
             [lines, small("note_system.network_lines_about"), *places.places_tables(note.rest)],
         ),
+        section("bill", bill(note.sheet, ""), "note_sheet"),
         damaged_section(note.sheet),
         section("components", _components(note)),
         _section("verification", by_both(note, "note_system", note.most_loaded)),

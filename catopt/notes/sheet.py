@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, ClassVar, Literal, Protocol
+from typing import TYPE_CHECKING, ClassVar, Literal, NamedTuple, Protocol
 
 from catopt.catenary.case import solve_case
 from catopt.checks.criteria import Criteria, criteria_of
@@ -47,11 +47,20 @@ class AnchorMoved:
 About = Literal["line", "body"]
 
 
+class Made(NamedTuple):
+    """So many lines that are alike; `is_held` by an anchor."""
+
+    line: Line
+    number: int
+    is_held: bool = True
+
+
 @dataclass(frozen=True, kw_only=True)
 class Stated:
     """What is stated of any mooring, of so many `lines`, each of which `anchor` holds.
 
-    `report` is by `criteria`; `intact` has every line with all there, in every load case.
+    `report` is by `criteria`; `intact` has every line with all there, in every load case; `made`
+    are the lines by how they are made.
     """
 
     case: Case | Network
@@ -59,6 +68,7 @@ class Stated:
     criteria: Criteria
     lines: int
     intact: tuple[Solution, ...]
+    made: tuple[Made, ...]
     anchor: Anchor | None = None
 
     @property
@@ -232,13 +242,15 @@ def sheet_of(
     anchor = anchor or case.anchor
     criteria = criteria_of(replace(case, anchor=anchor))
     intact = tuple(loaded.intact)
+    count = len(intact) if loaded.about == "body" else 1
     return Sheet(
         case=case,
         line=line,
         report=report,
         criteria=criteria,
-        lines=len(intact) if loaded.about == "body" else 1,
+        lines=count,
         intact=intact,
+        made=(Made(line, count),),
         anchor=anchor,
         about=loaded.about,
         pretension=loaded.pretension,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -32,6 +33,7 @@ from catopt.notes.origin import (
 from catopt.notes.sheet import (
     AnyNote,
     LinesOfABody,
+    Made,
     Stated,
     both_models,
     doubts_of_models,
@@ -224,6 +226,12 @@ def heading_of(x: float, y: float) -> float:
     return math.atan2(y, x)
 
 
+def _made(rest: LinesAtRest) -> tuple[Made, ...]:
+    """Count the lines that are made alike, those that an anchor holds apart."""
+    alike = Counter((run.line, rest.is_anchored(k)) for k, run in enumerate(rest.runs))
+    return tuple(Made(line, count, is_held) for (line, is_held), count in alike.items())
+
+
 def directions_of(force: tuple[float, float]) -> tuple[float, float]:
     """Choose the directions of the restoring curves: along a force and across it; x and y without.
 
@@ -347,6 +355,7 @@ def read_network_note(
             criteria=criteria_of_network(network),
             lines=len(rest.runs),
             intact=rest.lines,
+            made=_made(rest),
             anchor=network.anchor,
         ),
         warnings=tuple(dict.fromkeys(warnings)),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from catopt import check_case
@@ -9,7 +11,9 @@ from catopt.answers.bill import Prices, bill
 from catopt.answers.blocks import Table, Text
 from catopt.casefile import parse_case
 from catopt.catalogue.fittings import fittings
+from catopt.notes.origin import Asked
 from catopt.notes.sheet import sheet_of
+from catopt.notes.system import read_network_note
 
 CHAIN = '[[line.segments]]\ncomponent = "chain studless R3"\ndiameter = "{} mm"\nlength = "40 m"\n'
 WIRE = (
@@ -92,3 +96,16 @@ def test_given_prices_are_added_up_and_what_has_none_is_named() -> None:
     assert f"{found[0] + 6900.0:,.0f} USD" in said  # type: ignore[operator]
     _, said = priced(Prices(sinker=100.0))  # of the chain as the catalogue has it
     assert "without fittings, whose" in said
+
+
+def test_lines_between_points_are_counted_together() -> None:
+    """Four chains of 55 m of 20.48 kg/m are 4.506 t; a shackle at each anchor and each joint."""
+    note = read_network_note(Path("cases/raft-four-lines/case.toml"), Asked(verify=False))
+    table, *said = bill(note.sheet, "")
+    assert isinstance(table, Table)
+    columns = {str(each.name): each.values for each in table.columns}
+    assert columns["Number"][:2] == (4, 4)
+    assert columns["Total mass"][0] == pytest.approx(4 * 55.0 * 20.48, rel=1e-3)
+    assert columns["Number"][2] == 8
+    texts = [str(each.said) for each in said if isinstance(each, Text)]
+    assert any("Fittings of 1 connections of a line, 4 in all" in each for each in texts)
