@@ -11,7 +11,9 @@ import pytest
 import catopt
 
 PACKAGE = Path(catopt.__file__).parent
-READ = ("waves", "words", "schemas", "hydro", "web", "page_api", "report")
+READ = (
+    "waves", "words", "schemas", "hydro", "web", "page_api", "report", "cli", "casefile",
+)  # fmt: skip
 """Parts without such names; a part joins when its loops are named."""
 
 

@@ -126,8 +126,8 @@ def upside_down(section: FileSection, low_key: str, high_key: str) -> Iterator[F
 def duplicates(section: FileSection, key: str) -> Iterator[Finding]:
     """Find values of an array that stand there already, however they are written."""
     read = section.value(key) or []
-    for index, each in enumerate(read):
-        if each in read[:index]:
+    for index, one in enumerate(read):
+        if one in read[:index]:
             shown = as_written(section.given[key][index])
             path = (*section.path, key, index)
             yield Finding(path, shown, Message("refused.stands_already"))
@@ -209,8 +209,8 @@ def _named(segments: list[FileSection]) -> Iterator[tuple[Path, str]]:
         if name is not None:
             yield (*segment.path, "component"), name
         if "components" in entries(segment.schema):
-            for index, each in enumerate(segment.value("components") or []):
-                yield (*segment.path, "components", index), each
+            for index, family in enumerate(segment.value("components") or []):
+                yield (*segment.path, "components", index), family
 
 
 def _catalogue(found: FromCatalogue, case: FileSection, folder: str) -> ChosenCatalogue | None:
@@ -350,8 +350,8 @@ def _built(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
     site = Site.in_air() if place is None else Site(**place.given())
     build = _Builder(catalogue, FilePath(folder).absolute(), site, table)
     line = Line(
-        [build.part(each, ("line", "segments", k)) for k, each in enumerate(table.line.segments)],
-        [build.part(each) for each in table.line.point_loads or ()],
+        [build.part(part, ("line", "segments", k)) for k, part in enumerate(table.line.segments)],
+        [build.part(load) for load in table.line.point_loads or ()],
     )
     heights = {
         "fairlead_height": _or_else(table.line.fairlead_height, site.water_depth),
@@ -361,8 +361,8 @@ def _built(table: CaseTable, catalogue: FromCatalogue, folder: str) -> Case:
         site = replace(site, water_depth=site.water_depth - lift)
         heights = {key: height - lift if height else 0.0 for key, height in heights.items()}
     given = {
-        {"pso": "swarm"}.get(key, key): build.value(each, (key,))
-        for key, each in table.given().items()
+        {"pso": "swarm"}.get(key, key): build.value(value, (key,))
+        for key, value in table.given().items()
         if key not in ("site", "line", "system", "catalogue")
     }
     if table.catalogue:
@@ -393,7 +393,7 @@ def network_parts(
 def title_block(table: TableSchema, folder: str) -> TitleBlock:
     """Build ``[document]`` of a file of a sizing; the path of its logo counts from the folder."""
     given = table.given()
-    revisions = tuple(Revision(**each.given()) for each in given.pop("revisions", ()))
+    revisions = tuple(Revision(**revision.given()) for revision in given.pop("revisions", ()))
     if "logo" in given:
         given["logo"] = str(FilePath(folder).absolute() / given["logo"])
     return TitleBlock(**given, revisions=revisions)
@@ -411,12 +411,12 @@ class _Builder:
     def value(self, value: Any, path: Path) -> Any:
         """Return a value as the model has it: a table as its part, an array as a tuple."""
         if isinstance(value, list):
-            return tuple(self.value(each, (*path, k)) for k, each in enumerate(value))
+            return tuple(self.value(item, (*path, k)) for k, item in enumerate(value))
         return self.part(value, path) if isinstance(value, TableSchema) else value
 
     def given(self, table: TableSchema, path: Path = ()) -> dict[str, Any]:
         """Return what a table gives, as the model has it; paths of files count from the folder."""
-        given = {key: self.value(each, (*path, key)) for key, each in table.given().items()}
+        given = {key: self.value(value, (*path, key)) for key, value in table.given().items()}
         for key in given:
             if isinstance(entries(type(table))[key].kind, File):
                 given[key] = str(self.folder / given[key])
@@ -483,7 +483,7 @@ def made_segment(table: TableSchema, component: Component | None, *, in_air: boo
     if given.pop("drag_axial_area", "D") == "pi D":
         given["drag_axial"] *= math.pi
     made = component.segment(1.0) if component else None
-    figures = {each.name: getattr(made, each.name) for each in fields(made)} if made else {}
+    figures = {part.name: getattr(made, part.name) for part in fields(made)} if made else {}
     if made is not None and in_air and made.mass is not None:
         figures["submerged_weight"] = made.mass * STANDARD_GRAVITY
     if "strain" in given:

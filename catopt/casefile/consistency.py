@@ -46,7 +46,7 @@ def consistency_findings(case: FileSection, components: Mapping[Path, Component]
     """List what contradicts itself in a document, with its components by their paths."""
     line = case.table("line")
     segments, loads = line.tables("segments"), line.tables("point_loads")
-    dragged = [each for each in loads if not each.misspelt("drag_area", "drag_coefficient")]
+    dragged = [load for load in loads if not load.misspelt("drag_area", "drag_coefficient")]
     return [
         *_load(case),
         *_find(case),
@@ -95,7 +95,7 @@ def _load(case: FileSection) -> Iterator[Finding]:
     known = [key for key in entries(load.schema) if key in load]
     if known or not load.misspelt():
         problems = refusals(Load, **dict.fromkeys(known, 1.0))
-        yield from (Finding(("load",), each.found, each.allowed) for each in problems)
+        yield from (Finding(("load",), problem.found, problem.allowed) for problem in problems)
 
 
 def _find(case: FileSection) -> Iterator[Finding]:
@@ -120,7 +120,7 @@ def _misfits(
     problems = inconsistencies(
         sought,
         load=list(case.table("load").given) if has_load else None,
-        MBL_known=[_has_MBL(each, components.get(each.path)) for each in segments],
+        MBL_known=[_has_MBL(part, components.get(part.path)) for part in segments],
         point_loads=len(loads),
         anchor_height=line.number("anchor_height") or 0.0,
         has_load_cases="load_cases" in case or "system" in case,
@@ -348,8 +348,8 @@ def design_findings(case: FileSection) -> list[Finding]:
     return [
         *(
             f
-            for k, (each, own) in enumerate(pairs)
-            for f in _design_segment(each, k, own, is_clear=is_clear)
+            for k, (choice, own) in enumerate(pairs)
+            for f in _design_segment(choice, k, own, is_clear=is_clear)
         ),
         *(f for weight in weights for f in _clump_weight(weight)),
         *_design_positions(pairs, weights),
@@ -445,7 +445,7 @@ def _as_the_model_has_it(
 ) -> Iterator[Finding]:
     """Find objectives too few or too many, joints that are not there, and no fixed segment."""
     choices = (
-        SegmentChoice((1.0,), optional=each.given.get("optional") is True) for each in segments
+        SegmentChoice((1.0,), optional=part.given.get("optional") is True) for part in segments
     )
     hung = [
         ClumpWeightChoice((1.0,), 1e3, positions=() if joint else (1.0,), joint=joint)
@@ -476,7 +476,7 @@ def _of_a_body(case: FileSection, design: FileSection) -> Iterator[Finding]:
     given = {key: design.value(key) for key in ("lines", "headings", "objectives")}
     given |= {"line_out": design.given.get("line_out") is True}
     given |= {key: key in design for key in ("sinker", "loads")}
-    given |= {each.many: ranges.is_given(each, design) for each in (RADII, PRETENSIONS)}
+    given |= {values.many: ranges.is_given(values, design) for values in (RADII, PRETENSIONS)}
     has_force = bool(unclear or any(force))
     problems = body_misfits(given, has_system=has_system, has_force=has_force)
     yield from case.refused(_as_given(design, problems))

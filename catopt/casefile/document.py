@@ -60,7 +60,7 @@ def refuse(document: dict[str, Any], findings: list[Finding], source: str) -> No
     """Raise InputError if there are findings: with each of them once, in the file's order."""
     if findings:
         ordered = in_order_of(document, list(dict.fromkeys(findings)))
-        raise InputError([each.as_problem() for each in ordered], source)
+        raise InputError([finding.as_problem() for finding in ordered], source)
 
 
 def in_order_of(document: dict[str, Any], findings: list[Finding]) -> list[Finding]:
@@ -209,9 +209,9 @@ class _Reader:
             self._note(path, given, _wanted(path, entry))
             return None
         before, sound = len(self.findings), []
-        for index, each in enumerate(given):
+        for index, item in enumerate(given):
             noted = len(self.findings)
-            one = self._one((*path, index), entry, each, Message("refused.table"))
+            one = self._one((*path, index), entry, item, Message("refused.table"))
             sound += [one] if len(self.findings) == noted else []
         if len(sound) > entry.size.most:
             del self.findings[before:]
@@ -280,9 +280,9 @@ class FileSection:
         assert inner is not None
         if not isinstance(array, list) or len(array) > MOST_TABLES:
             return []
-        if not all(isinstance(each, dict) for each in array):
+        if not all(isinstance(item, dict) for item in array):
             return []
-        return [FileSection(each, inner, (*self.path, key, k)) for k, each in enumerate(array)]
+        return [FileSection(item, inner, (*self.path, key, k)) for k, item in enumerate(array)]
 
     def value(self, key: str) -> Any:
         """Return a value as the model takes it; None when it is missing or wrong in itself.
@@ -297,7 +297,7 @@ class FileSection:
                 return entry.kind.read(given)
             if not isinstance(given, list) or len(given) > MOST_LISTED:
                 return None
-            return [entry.kind.read(each) for each in given]
+            return [entry.kind.read(item) for item in given]
         except InputError:
             return None
 

@@ -51,9 +51,9 @@ def _together(case: FileSection) -> Iterator[Finding]:
         return
     present = [key for key in run.FOR_MOTION if key in case]
     given = {
-        f"{part}.{key}": each
+        f"{part}.{key}": value
         for part in ("motion", "body", "floater", "dynamics")
-        for key, each in case.table(part).given.items()
+        for key, value in case.table(part).given.items()
     }
     for problem in run.dynamics_misfits(present, given):
         section, _, key = problem.key.partition(".")
@@ -78,7 +78,7 @@ def _current(current: FileSection) -> Iterator[Finding]:
     if profile not in CURRENT_PROFILES or current.misspelt():
         return
     given = current.values()
-    if any(each in (None, []) for each in given.values()):
+    if any(value in (None, []) for value in given.values()):
         return  # wrong in itself
     if "direction" in given and given.get("directions"):
         given["direction"] = 1.0  # whatever it is, it is not read

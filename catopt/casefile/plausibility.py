@@ -20,7 +20,7 @@ def plausibility_findings(section: FileSection, reported: Sequence[Finding] = ()
     """
     accepted = section.given.get("accept", ())
     names = accepted if isinstance(accepted, list | tuple) else ()
-    told = {each.path for each in reported}
+    told = {earlier.path for earlier in reported}
     found = [finding for name, finding in _findings(section) if name not in names]
     return [finding for finding in found if finding.path not in told]
 
@@ -31,8 +31,8 @@ def _findings(section: FileSection) -> Iterator[tuple[str, Finding]]:
             continue
         if entry.table is not None:
             below = section.tables(key) if entry.array else [section.table(key)]
-            for each in below:
-                yield from _findings(each)
+            for inner in below:
+                yield from _findings(inner)
         elif isinstance(entry.kind, Measured):
             yield from _of_value(section, key)
     yield from _heavier(section)
@@ -45,7 +45,7 @@ def _of_value(section: FileSection, key: str) -> Iterator[tuple[str, Finding]]:
         return
     unit = _si_unit(section.schema, key)
     several = value if isinstance(value, list) else [value]
-    if any(not known.least <= each <= known.most for each in several):
+    if any(not known.least <= number <= known.most for number in several):
         most = f"{known.most:g} {unit}".rstrip()
         bounds = {"least": known.least, "most": most, "name": known.name}
         yield known.name, section.wrong(key, Message("refused_file.implausible", **bounds))

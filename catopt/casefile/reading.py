@@ -96,7 +96,9 @@ def network_of(document: dict[str, Any], source: str = "", *, folder: str = "") 
     catalogue = from_catalogue(case, folder)
     findings += catalogue.findings
     for line in case.tables("lines"):
-        findings += [each for part in line.tables("segments") for each in segment_findings(part)]
+        findings += [
+            finding for part in line.tables("segments") for finding in segment_findings(part)
+        ]
     findings += [*limit_findings(case, []), *network_motion_findings(case), *group_findings(case)]
     findings += plausibility_findings(case, findings)
     refuse(document, findings, source)
@@ -113,13 +115,13 @@ def _network(
 ) -> Network:
     problems: list[Problem] = []
     points = [
-        _built(problems, f"points[{k}]", Point, **each.given())
-        for k, each in enumerate(table.points)
+        _built(problems, f"points[{k}]", Point, **point.given())
+        for k, point in enumerate(table.points)
     ]
-    lines = [_line(problems, k, each, catalogue) for k, each in enumerate(table.lines)]
+    lines = [_line(problems, k, line, catalogue) for k, line in enumerate(table.lines)]
     bodies = [
-        _built(problems, f"bodies[{k}]", MooredBody, **each.given())
-        for k, each in enumerate(table.given().get("bodies") or ())
+        _built(problems, f"bodies[{k}]", MooredBody, **body.given())
+        for k, body in enumerate(table.given().get("bodies") or ())
     ]
     refuse(document, [Finding(parts(p.key), p.found, p.allowed) for p in problems], source)
     site = Site(**table.site.given())
@@ -135,10 +137,10 @@ def _line(
     problems: list[Problem], k: int, table: LineBetweenTable, catalogue: FromCatalogue
 ) -> Any:
     segments = [
-        made_segment(each, catalogue.segments.get(("lines", k, "segments", i)))
-        for i, each in enumerate(table.segments)
+        made_segment(part, catalogue.segments.get(("lines", k, "segments", i)))
+        for i, part in enumerate(table.segments)
     ]
-    loads = [PointLoad(**each.given()) for each in table.point_loads or ()]
+    loads = [PointLoad(**load.given()) for load in table.point_loads or ()]
     line = _built(problems, f"lines[{k}]", Line, segments=segments, point_loads=loads)
     return LineBetween(line, table.start, table.end, table.name or "")
 
@@ -288,12 +290,12 @@ def read_design(directory: Path, number: int) -> Case | Network:
     title = f"{case.title}, design {number}" if case.title else f"Design {number}"
     try:
         with accepting(case.accept):
-            segments = [_design_segment(each, case) for each in design["segments"]]
+            segments = [_design_segment(part, case) for part in design["segments"]]
             if isinstance(case, Network):
                 return replace(case.made_of(segments), title=title)
             line = Line(
                 segments,
-                [PointLoad(**attributes(each)) for each in design["point_loads"]],
+                [PointLoad(**attributes(load)) for load in design["point_loads"]],
             )
             sinker = design.get("sinker")
             anchor = case.anchor if sinker is None else Anchor("sinker", **attributes(sinker))

@@ -449,11 +449,11 @@ def _entries(table: type[TableSchema]) -> Iterator[tuple[str, Entry]]:
     if "accept" not in table.keys:
         of_model.pop("accept", None)  # it stands at the top of a file
     of_part = fields(table.model) if table.model else ()
-    needed = {each.name for each in of_part if each.default is each.default_factory is MISSING}
+    needed = {part.name for part in of_part if part.default is part.default_factory is MISSING}
     several = {values.many: values for values in table.choices}
     named = table.keys.split() or [*of_model, *own]
     if named[-1] == "...":
-        named[-1:] = [each for each in of_model if each not in named and each not in several]
+        named[-1:] = [name for name in of_model if name not in named and name not in several]
     for key in named:
         kind, array, size, classes = own[key] if key in own else of_model[key]
         if key in several:
@@ -461,7 +461,7 @@ def _entries(table: type[TableSchema]) -> Iterator[tuple[str, Entry]]:
             for way in (ways.one, ways.many, *ways.range):
                 yield way, Entry(kind, None, way == key, False, Size(1, MOST_LISTED))
             continue
-        parts = (each for each in classes if issubclass(each, TableSchema) or is_dataclass(each))
+        parts = (part for part in classes if issubclass(part, TableSchema) or is_dataclass(part))
         inner = next((p if issubclass(p, TableSchema) else table_of(p) for p in parts), None)
         required = not hasattr(table, key) if key in own else key in needed
         most = MOST_LISTED if inner is None else MOST_TABLES

@@ -222,7 +222,7 @@ def _lines(schema: type[TableSchema], given: Mapping[str, Any]) -> Iterator[str]
         if key == "wear_rate":
             yield f"{key} = {_wear(value)}"
         elif known[key].array:
-            yield _array(key, [_written(each, unit) for each in value])
+            yield _array(key, [_written(item, unit) for item in value])
         else:
             yield f"{key} = {_written(value, unit)}"
 

@@ -215,7 +215,7 @@ def answering(
                 COLUMNS.reset(columns)
 
         _, *own = inspect.signature(command, eval_str=True).parameters.values()
-        names = [each.name for each in own]
+        names = [parameter.name for parameter in own]
         place = names.index(language_after) + 1 if language_after else len(own)
         parameters = [
             keyword("context", typer.Context),
@@ -228,7 +228,9 @@ def answering(
             keyword("out", out, None),
         ]
         kept = [
-            each.replace(kind=each.KEYWORD_ONLY) for each in parameters if each.name not in without
+            parameter.replace(kind=parameter.KEYWORD_ONLY)
+            for parameter in parameters
+            if parameter.name not in without
         ]
         answered.__signature__ = inspect.Signature(kept)  # type: ignore[attr-defined]
         return answered

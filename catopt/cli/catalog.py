@@ -192,10 +192,14 @@ def sinker(
         )
     named = soil if soil is None else soil_named(soil)
     own = [
-        each for each in held if named is None or named in each.soil.split() or named == each.soil
+        holding
+        for holding in held
+        if named is None or named in holding.soil.split() or named == holding.soil
     ]
     if not own:
-        allowed = Message("refused_command.one_mud", listed=", ".join(each.soil for each in held))
+        allowed = Message(
+            "refused_command.one_mud", listed=", ".join(holding.soil for holding in held)
+        )
         raise refused("--soil", as_written(soil), allowed)
     _give(asked, "sinker", (), sinkers=tuple(own))
 
@@ -266,12 +270,12 @@ def _sized(
     from catopt.catalogue.family import split_size
 
     name, own = split_size(family)
-    given = [each for each in (own, size) if each is not None]
+    given = [text for text in (own, size) if text is not None]
     if grade is not None:
         grades: tuple[str, ...] = ()
         with suppress(InputError):  # which says later that there is no such family
             grades = known.family(name).grades
-        is_size = grade.casefold() not in {each.casefold() for each in grades}
+        is_size = grade.casefold() not in {sold.casefold() for sold in grades}
         if is_size and split_size(grade)[1] is not None:
             given.append(grade)
             grade = None
@@ -287,7 +291,7 @@ def _sized(
 
 def _families_of(components: Sequence[Component], known: Catalogue) -> tuple[Family, ...]:
     of = {component.family for component in components}
-    return tuple(each for each in known.families if each.name in of)
+    return tuple(known_family for known_family in known.families if known_family.name in of)
 
 
 def _settings(

@@ -54,11 +54,11 @@ def _names(kind: str, typed: Mapping[str, Any]) -> Iterable[str]:
             from catopt.checks.profiles import profiles
 
             recalled = bool(typed.get("recalled"))
-            return (each.name for each in profiles() if recalled or not each.is_recalled)
+            return (profile.name for profile in profiles() if recalled or not profile.is_recalled)
         case "buoy":
             from catopt.loads import buoys
 
-            return (each.name for each in buoys())
+            return (buoy.name for buoy in buoys())
         case "anchor":
             from catopt.loads.drag_anchor import ANCHORS
 
@@ -75,10 +75,10 @@ def _names(kind: str, typed: Mapping[str, Any]) -> Iterable[str]:
     from catopt.catalogue.finding import component_names
 
     if kind == "family":
-        return (each.name for each in families())
+        return (family.name for family in families())
     if kind == "grade":
-        own = [each for each in families() if each.name == typed.get("family")]
-        return (grade for each in own or families() for grade in each.grades)
+        own = [family for family in families() if family.name == typed.get("family")]
+        return (grade for family in own or families() for grade in family.grades)
     return component_names()
 
 

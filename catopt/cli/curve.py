@@ -57,12 +57,14 @@ def curve(
             stop=limits.get("--to"),
         )
     except InputError as error:
-        if not all(each.key in _OPTIONS for each in error.problems):
+        if not all(problem.key in _OPTIONS for problem in error.problems):
             raise
         typed = {"start": start, "stop": stop}
         problems = [
-            replace(each, key=_OPTIONS[each.key], found=typed.get(each.key) or each.found)
-            for each in error.problems
+            replace(
+                problem, key=_OPTIONS[problem.key], found=typed.get(problem.key) or problem.found
+            )
+            for problem in error.problems
         ]
         raise InputError(problems, "options") from error
     asked.give(curve_answer(result), result.to_dict, read, partial(pictures_of, "curve", result))

@@ -60,12 +60,12 @@ def _put(
     language = in_environment()
     for key in {"help", "short_help", "epilog"} & own.keys():
         setattr(command, key, own[key][language])
-    for each in command.params:  # a help that is there may be the key of a shared one
-        texts = own.get(each.name) or shared.get(each.help or each.name)
+    for parameter in command.params:  # a help that is there may be the key of a shared one
+        texts = own.get(parameter.name) or shared.get(parameter.help or parameter.name)
         if texts:
-            each.help = texts[language]
-    for name, each in getattr(command, "commands", {}).items():
-        _put(each, below[name], below[name], shared)
+            parameter.help = texts[language]
+    for name, subcommand in getattr(command, "commands", {}).items():
+        _put(subcommand, below[name], below[name], shared)
 
 
 def on_a_screen(whole: str, command: str) -> str:
@@ -88,7 +88,13 @@ def on_a_screen(whole: str, command: str) -> str:
     last = say(Message("answers.help_all", command=f"{command} {HELP_ALL}"), in_environment())
     for count in range(len(entries), 0, -1):
         also = wrap(", ".join(named[count:]), HELP_WIDTH - 4, break_on_hyphens=False)
-        laid = [*head, "", *starmap(_entry, entries[:count]), *(f"  {each}" for each in also), last]
+        laid = [
+            *head,
+            "",
+            *starmap(_entry, entries[:count]),
+            *(f"  {entry}" for entry in also),
+            last,
+        ]
         if len(laid) <= HELP_LINES:
             break
     return "\n".join(laid)
@@ -153,8 +159,8 @@ def _in_vietnamese(command: Any) -> None:
     below = getattr(command, "commands", {})
     if below:
         command.subcommand_metavar = _BELOW
-    for each in below.values():
-        _in_vietnamese(each)
+    for entry in below.values():
+        _in_vietnamese(entry)
 
 
 def _formatter(kind: Any) -> Any:
@@ -222,7 +228,7 @@ def _meant(said: str, context: Any) -> str:
     from catopt.units import Dimension, bare_number, to_si
 
     found = re.fullmatch(r"Got unexpected extra arguments?(?:\(s\))? \((\S+(?: m)?)\)\.?", said)
-    options = {name for each in context.command.params for name in each.opts}
+    options = {name for parameter in context.command.params for name in parameter.opts}
     if found is None or "--depth" not in options:
         return ""
     try:

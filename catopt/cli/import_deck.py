@@ -45,7 +45,7 @@ def import_deck(
         density=positive(found, "--density", density, Dimension.DENSITY),
         depth=positive(found, "--depth", depth, Dimension.LENGTH),
         line=line,
-        turbines=tuple(_place(found, each) for each in turbine or ()),
+        turbines=tuple(_place(found, place) for place in turbine or ()),
     )
     if line is not None:
         found.number("--line", line, "", at_least=1)

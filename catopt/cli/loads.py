@@ -106,10 +106,10 @@ def buoy(
     with _known("buoy", place, options, by_option, _OF_BUOYS) as of:
         make = of.errors.make
         of.require("buoy", "depth")
-        for each in ("force", "reserve_buoyancy"):
-            if each in of.given:
+        for option in ("force", "reserve_buoyancy"):
+            if option in of.given:
                 wanted = Message("refused_command.leave_out_these_loads_are")
-                of.errors.add(each, f"{of[each]:g} N", wanted)
+                of.errors.add(option, f"{of[option]:g} N", wanted)
         own = make(in_si, {"--chain": (chain, Dimension.LENGTH), "--pull": (pull, Dimension.FORCE)})
         body = shape_of(of)
         weather = _weather(of, blowing(of))
@@ -121,7 +121,7 @@ def buoy(
                     wind,
                     current,
                     sea,
-                    each,
+                    at_level,
                     chain_diameter=own["--chain"],
                     pull=own["--pull"],
                     marine_growth=of["growth"],
@@ -130,7 +130,7 @@ def buoy(
                     water_density=of["water_density"],
                     method=of["load_method"] or BUOY_METHODS[0],
                 )
-                for each in dict.fromkeys((levels, WaterLevels.steady(levels.low)))
+                for at_level in dict.fromkeys((levels, WaterLevels.steady(levels.low)))
             ),
             own,
             levels,
@@ -144,7 +144,7 @@ def buoy(
     counted = {*_BUOY, "buoy"} - ({"hmax"} if by_hs else set())
     said: list[Message] = []
     if len(every) > 1:  # the force at each of two levels
-        high, low = (Measure("horizontal_force", each.horizontal_force) for each in every)
+        high, low = (Measure("horizontal_force", computed.horizontal_force) for computed in every)
         depths = {"deep": of["depth"], "shallow": of["low_water"]}
         said.append(Message("loads.at_both_levels", high=high, low=low, **depths))
     said += [*of_the_fetch(of), *_no_part(of, counted)]
@@ -250,7 +250,7 @@ def ship(
                 **how,
             )
         )
-    others = [each for each in every if each.method != worst.loads.method]
+    others = [computed for computed in every if computed.method != worst.loads.method]
     by_hs = drift == "sea-state" and of["hs"] is not None
     has_areas = of["frontal_area"] is not None and of["lateral_area"] is not None
     said = (
@@ -262,8 +262,12 @@ def ship(
     )
     warned = (*estimated_dimensions(of.read), *small_craft(of.read))
     reported = [
-        replace(each, assumptions=(*each.assumptions, *said), warnings=(*each.warnings, *warned))
-        for each in (worst.loads, *others)
+        replace(
+            computed,
+            assumptions=(*computed.assumptions, *said),
+            warnings=(*computed.warnings, *warned),
+        )
+        for computed in (worst.loads, *others)
     ]
     _give(asked, *reported, lyings=lyings if turns or len(lyings) > 1 else ())
 
@@ -297,8 +301,8 @@ def _no_part(of: ResolvedInputs, counted: Collection[str]) -> Iterator[Message]:
     from catopt.sizing.inputs import inputs_of
 
     names = [
-        of.errors.spell(name) if name in (*_BUOY, *_SHIP) else each.key
-        for name, each in inputs_of(of.moored).items()
+        of.errors.spell(name) if name in (*_BUOY, *_SHIP) else row.key
+        for name, row in inputs_of(of.moored).items()
         if name in of.given - set(counted)
     ]
     if names:

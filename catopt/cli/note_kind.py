@@ -128,7 +128,7 @@ def _by_label(moored: Moored) -> dict[str, Input]:
     from catopt.cli.size import spelling_of
 
     spell = spelling_of(moored)
-    return {spell(name): each for name, each in inputs_of(moored).items()}
+    return {spell(name): row for name, row in inputs_of(moored).items()}
 
 
 def _moored_by(options: Options) -> Moored:

@@ -19,7 +19,7 @@ LANGUAGE_VARIABLE = "CATOPT_LANG"
 def in_environment() -> Language:
     """Language that the environment names; English where it names none, or none that there is."""
     named = os.environ.get(LANGUAGE_VARIABLE, "").strip()
-    return next((each for each in LANGUAGES if each == named), "en")
+    return next((language for language in LANGUAGES if language == named), "en")
 
 
 def asked_language(arguments: Sequence[str]) -> Language:
@@ -27,9 +27,11 @@ def asked_language(arguments: Sequence[str]) -> Language:
 
     By ``--lang`` among them, or by the environment where they name none that there is.
     """
-    typed = [each.removeprefix("--lang=") for each in arguments if each.startswith("--lang=")]
-    typed += [each for option, each in pairwise(arguments) if option == "--lang"]
-    known = [each for each in LANGUAGES if each in typed]
+    typed = [
+        argument.removeprefix("--lang=") for argument in arguments if argument.startswith("--lang=")
+    ]
+    typed += [argument for option, argument in pairwise(arguments) if option == "--lang"]
+    known = [language for language in LANGUAGES if language in typed]
     return known[-1] if known else in_environment()
 
 

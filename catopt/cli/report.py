@@ -95,7 +95,7 @@ def report(
 
         first, *others = map(written_file, places, files.values())
         sections = tuple(section.name for section in answer.sections)
-        beside = {Path(each.path).suffix: each for each in others}
+        beside = {Path(written.path).suffix: written for written in others}
         both = beside.get(".xlsx"), beside.get(".pdf")
         output.json(WrittenNote(note, first, language, sections, *both).to_dict())
     else:

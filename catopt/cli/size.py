@@ -85,11 +85,13 @@ def with_inputs(
 
     def decorate(command: Command) -> Command:
         own = inspect.signature(command, eval_str=True).parameters.values()
-        first = [each for each in own if each.kind is each.POSITIONAL_OR_KEYWORD]
-        last = [each for each in own if each.kind is each.KEYWORD_ONLY]
+        first = [
+            parameter for parameter in own if parameter.kind is parameter.POSITIONAL_OR_KEYWORD
+        ]
+        last = [parameter for parameter in own if parameter.kind is parameter.KEYWORD_ONLY]
         options = [
-            _parameter(each, taken.get(name))
-            for name, each in inputs_of(moored).items()
+            _parameter(row, taken.get(name))
+            for name, row in inputs_of(moored).items()
             if (name in names or not names) and name not in _NO_OPTIONS[moored]
         ]
         command.__signature__ = inspect.Signature([*first, *options, *last])  # type: ignore[attr-defined]
@@ -230,8 +232,8 @@ def _size_form(
     if len(files) > 1:
         from catopt.answers.size_card import fleet_answer
 
-        answer = fleet_answer([of for of, _ in found])
-        of_all = [of.to_dict() for of, _ in found]
+        answer = fleet_answer([sizing for sizing, _ in found])
+        of_all = [sizing.to_dict() for sizing, _ in found]
         document = {"schema": "catopt.fleet/1", "catopt": identity(), "moorings": of_all}
     beside = Path(place).with_name(f"{Path(place).stem}-answer.xlsx")
     write_files(beside.parent, {beside.name: workbook(answer, asked.language)}, keep=[Path(place)])
@@ -257,7 +259,7 @@ def _sized(asked: Asked, of: ResolvedInputs) -> tuple[Sizing, Answer]:
         from catopt.render.card import card_lines
 
         lines = card_lines(miss_answer(error, of), asked.language)
-        asked.leave(error.exit_status, "\n".join(each.text for each in lines))
+        asked.leave(error.exit_status, "\n".join(line.text for line in lines))
 
 
 def _give(asked: Asked, found: Sizing, answer: Answer, save: Path | None, given: Given) -> None:
@@ -289,8 +291,8 @@ def _as_given(place: str | None, options: Mapping[str, object], spell: Spelling)
 
     source = None if place is None else read_source(Path(place))
     rows = [
-        (spell(name), "" if each is True else str(each))
+        (spell(name), "" if text is True else str(text))
         for name, value in options.items()
-        for each in (value if isinstance(value, list) else [value])
+        for text in (value if isinstance(value, list) else [value])
     ]
     return Given(source, tuple(rows))

@@ -139,7 +139,7 @@ def _write(asked: Asked, result: StudyResult, *, parquet: bool) -> None:
         return
     place = asked.out / MEMBERS
     with asked.output.progress(Message("beside.tables")) as tell:
-        parts = (members_table(result.study, each) for each in result.store.pieces())
+        parts = (members_table(result.study, piece) for piece in result.store.pieces())
         write_table(place, parts, tell, result.study.pieces)
     files = files_of(study_answer(result), result.to_dict(), asked.language)
     asked.write(files | pictures_of("study", result))

@@ -112,19 +112,19 @@ def _network(asked: Asked, network: Network, wanted: Wanted) -> None:
     is_held = wanted.stiffness or bool(wanted.displacements) or network.has_fairlead
     if network.bodies or network.current_at_rest is not None or not is_held:
         free = at_rest(network)
-        here = [each.moved for each in free.bodies if wanted.stiffness]
+        here = [body.moved for body in free.bodies if wanted.stiffness]
         if wanted.stiffness and network.current_at_rest is not None:
             here = [(0.0,) * 6]  # which is refused
     else:
         free, here = None, [(0.0,) * 6]
     places = [*here, *wanted.displacements]
     total = Message("words.held_places", total=len(places))
-    held = [hold(network, each) for each in paced(total, places)]
+    held = [hold(network, place) for place in paced(total, places)]
     rest: LinesAtRest = free or held[0]
     away = held[len(here) :]
     gone = each_line_out(network) if wanted.line_out else ()
     judged = check_network(network, rest, gone or None)
-    bodies = [each.body for each in (held if wanted.stiffness else away)]
+    bodies = [of_body.body for of_body in (held if wanted.stiffness else away)]
     force = math.hypot(*(network.bodies[0].force if network.bodies else ()))
     circle = None
     if wanted.circle and network.bodies and not force > 0.0:
@@ -148,13 +148,13 @@ def _network(asked: Asked, network: Network, wanted: Wanted) -> None:
     )
     more: dict[str, Any] = {"checks": everywhere.whole.brief.to_dict()}
     if wanted.line_out:
-        more["one_line_out"] = [each.to_dict() for each in gone]
+        more["one_line_out"] = [out.to_dict() for out in gone]
     if circle is not None:
         more["watch_circle"] = circle.to_dict()
     if levels:
-        more["water_levels"] = [each.to_dict() for each in levels]
+        more["water_levels"] = [level.to_dict() for level in levels]
     if curves:
-        more["restoring_curves"] = [each.to_dict() for each in curves]
+        more["restoring_curves"] = [curve.to_dict() for curve in curves]
     states = (rest, *(held if free else away))
     asked.give(answer, lambda: NetworkReport(states).to_dict() | more, network)
 
@@ -167,7 +167,7 @@ def _displacement(text: str) -> tuple[float, ...]:
     """Read six values of a displacement: three lengths, three angles."""
     from catopt.mooring.network_rest import FREEDOMS
 
-    parts = [each.strip() for each in text.split(",")]
+    parts = [word.strip() for word in text.split(",")]
     if len(parts) != len(FREEDOMS):
         wanted = Message("refused_command.must_be_six_values_with", freedoms=", ".join(FREEDOMS))
         raise refused("--held", repr(text), wanted)

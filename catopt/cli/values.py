@@ -34,7 +34,9 @@ def refuse(problems: Iterable[Problem]) -> None:
 def for_one_line(given: Mapping[str, object]) -> None:
     """Refuse options, by their names, that only one line has; None is not given."""
     why = Message("refused_command.for_one_line")
-    refuse(Problem(f"--{key}", str(each), why) for key, each in given.items() if each is not None)
+    refuse(
+        Problem(f"--{key}", str(value), why) for key, value in given.items() if value is not None
+    )
 
 
 def in_si(given: Mapping[str, tuple[str | None, Dimension]]) -> dict[str, float]:
@@ -80,7 +82,7 @@ def by_option(
     try:
         yield
     except InputError as error:
-        problems = [replace(each, key=option(each.key)) for each in error.problems]
+        problems = [replace(problem, key=option(problem.key)) for problem in error.problems]
         raise InputError(problems, source or error.source) from error
 
 

@@ -88,7 +88,9 @@ def verify(
     if every:
         wanted = Message("refused_command.does_not_go_with_all")
         given = {"--load-case": load_case, "--design": design}
-        refuse(Problem(key, str(each), wanted) for key, each in given.items() if each is not None)
+        refuse(
+            Problem(key, str(value), wanted) for key, value in given.items() if value is not None
+        )
         found = _front(asked, case, how, moving, scheduler)
     else:
         read = read_mooring_or_design(case, design)
@@ -274,8 +276,8 @@ def _front(
         return found
     from catopt.notes.front_in_motion import front_in_motion
 
-    for each in designs:
-        _check_for_motion(each.case)
+    for design in designs:
+        _check_for_motion(design.case)
     objectives = [
         tuple(entry[key] for key in document["objectives"]) for entry in document["front"]
     ]

@@ -35,20 +35,20 @@ def answered(
     is_known = {**given, **answers}
     missing = [
         name
-        for name, each in inputs.items()
-        if each.required and name not in is_known and not is_needless(each, is_known)
+        for name, row in inputs.items()
+        if row.required and name not in is_known and not is_needless(row, is_known)
     ]
     if not missing or sys.stdin is None or not sys.stdin.isatty():
         return answers
     # What is moored, where and in what weather come first; the room is a question of its own.
-    for name, each in sorted(inputs.items(), key=lambda pair: pair[0] == "max_swing"):
+    for name, row in sorted(inputs.items(), key=lambda pair: pair[0] == "max_swing"):
         is_known = {**given, **answers}
         is_held = name == "max_swing" and str(is_known.get("lines", 1)) != "1"  # by several lines
-        if each.asked and name not in is_known and not is_needless(each, is_known) and not is_held:
-            default = str(each.example) if name == "buoy" else each.default
+        if row.asked and name not in is_known and not is_needless(row, is_known) and not is_held:
+            default = str(row.example) if name == "buoy" else row.default
             if name == "low_water":
                 default = str(is_known["depth"])
-            answers[name] = _answer(each, spell(name), default, language)
+            answers[name] = _answer(row, spell(name), default, language)
             if answers[name] in {_OWN, ""}:
                 del answers[name]
     return answers
