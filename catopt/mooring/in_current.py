@@ -50,7 +50,8 @@ from catopt.mooring.rest import (
 )
 from catopt.words import Message
 
-_STEPS, _CUTS = 60, 12
+_STEPS, _ADDING, _CUTS = 60, 30, 12
+"""How many steps, of which the first may add to what is left over; and how often one is cut."""
 _LEAST_PART = 1.0 / 64.0
 """Of the current, in which it is put on where it cannot be at once."""
 _ENOUGH = 20.0
@@ -357,12 +358,12 @@ class _InCurrent:
             limit = TOLERANCE * largest + _ENOUGH * CLOSED * stride * stiffest
             if left <= limit:
                 return self._polished(left, stiffest, stride), step
-            found = self._step(left, stiffest, stride)
+            found = self._step(left, stiffest, stride, may_add=step < _ADDING)
         return None
 
     def _polished(self, left: float, stiffest: float, stride: float) -> float:
         """Take one more step where that leaves less; what is left over, N."""
-        found = self._step(left, stiffest, stride)
+        found = self._step(left, stiffest, stride, may_add=False)
         if found is not None and (less := add_up(self.net, self.known)[0]) < left:
             self.remember(found)
             return less
@@ -370,10 +371,12 @@ class _InCurrent:
         self.hang()
         return add_up(self.net, self.known)[0]
 
-    def _step(self, left: float, stiffest: float, stride: float) -> list[Followed] | None:
+    def _step(
+        self, left: float, stiffest: float, stride: float, *, may_add: bool
+    ) -> list[Followed] | None:
         """Take so much of a step of Newton's method as brings down what is left over.
 
-        Or at whose end the forces hardly push back: as lines come taut on the way more is left.
+        With `may_add` or at whose end the forces hardly push back: as lines come taut more is left.
         """
         net, known = self.net, self.known
         n = len(net.pull)
@@ -392,7 +395,7 @@ class _InCurrent:
                 now, _ = add_up(net, known)
                 moved = zip(known.left, known.q, known.before, strict=True)
                 pull = math.fsum(force * (there - here) for force, there, here in moved)
-                if now < left or pull >= -OVERSHOOT * downhill:
+                if now < left or (may_add and pull >= -OVERSHOOT * downhill):
                     return found
             part *= 0.5
         return found
