@@ -375,5 +375,5 @@ def test_what_comes_from_no_side_that_is_given_comes_from_ahead(
     ("depth", "said"), [("40.5 ft", "40.5 ft"), ("12,5 m", "12.5 m"), (12, "12 m")]
 )
 def test_a_title_has_the_depth_in_the_unit_in_which_it_was_given(depth: object, said: str) -> None:
-    found = size_buoy("pillar 1.8 m", depth=depth, at_rest=True)  # type: ignore[arg-type]
+    found = size_buoy("pillar 1.8 m", depth=depth, at_rest=True)
     assert found.case.title == f"pillar 1.8 m in {said} of water"
