@@ -13,6 +13,7 @@ import catopt
 PACKAGE = Path(catopt.__file__).parent
 READ = (
     "waves", "words", "schemas", "hydro", "web", "page_api", "report", "cli", "casefile",
+    "decks", "reproduce",
 )  # fmt: skip
 """Parts without such names; a part joins when its loops are named."""
 

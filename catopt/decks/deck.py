@@ -135,7 +135,7 @@ def refusal(key: str, /, **values: object) -> Message:
     """Say why a deck is refused, or what was found in it; long words of the deck are cut."""
     return Message(
         f"refused_deck.{key}",
-        **{name: cut(each) if isinstance(each, str) else each for name, each in values.items()},
+        **{name: cut(value) if isinstance(value, str) else value for name, value in values.items()},
     )
 
 
@@ -241,7 +241,7 @@ def check_sizes(deck: Deck, notes: Notes) -> None:
             every.append((kind.row, "EA", kind.EA, Dimension.PRESSURE))  # up to rigid: 1e15
     for point in deck.points.values():
         every += [(point.row, key, getattr(point, key), length) for key in "xyz"]
-        every += [(point.row, "F", each, force) for each in point.force]
+        every += [(point.row, "F", number, force) for number in point.force]
         every += [(point.row, "M", point.mass, mass)]
         every += [(point.row, "V", point.volume, Dimension.VOLUME)]
     every += [(piece.row, "L", piece.length, length) for piece in deck.pieces]

@@ -30,12 +30,12 @@ class DeckFormat(NamedTuple):
 
 def deck_format(text: str) -> DeckFormat | None:
     """Find the format of a text; None for what is no deck."""
-    return next((each for each in FORMATS if each.is_one(text)), None)
+    return next((known for known in FORMATS if known.is_one(text)), None)
 
 
 def _has(*patterns: str) -> Callable[[str], bool]:
     """Whether lines of a text begin by each pattern."""
-    return lambda text: all(re.search(rf"(?m)^{each}", text) is not None for each in patterns)
+    return lambda text: all(re.search(rf"(?m)^{pattern}", text) is not None for pattern in patterns)
 
 
 def _has_line_types(text: str) -> bool:

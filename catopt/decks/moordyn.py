@@ -83,7 +83,7 @@ _HEADS = {
 _NAMED = {
     section: {
         word: name
-        for name, _, others in (each.partition("=") for each in heads.split())
+        for name, _, others in (head.partition("=") for head in heads.split())
         for word in (name, *filter(None, others.split(",")))
     }
     for section, heads in _HEADS.items()
@@ -391,7 +391,7 @@ def _point(
         x, y, z = body.place(x, y, z)
     force = [notes.number(row, at[key], key.upper()) for key in ("fx", "fy", "fz") if key in at]
     if any(force) and end == "free":
-        given = " ".join(f"{each:g}" for each in force)
+        given = " ".join(f"{part:g}" for part in force)
         notes.refuse(row.number, given, "force_without_unit")
     keys = ("Mass", "Volume", "CdA", "Ca")
     mass, volume, area, added = (

@@ -147,13 +147,13 @@ def _fairleads(platform: YamlTable) -> Fairleads:
     """Read the fairleads; headings of one turn it from x to where they point."""
     r, z = platform.number("rFair", 0.0), platform.number("zFair", 0.0)
     found: Fairleads = [(complex(r, 0.0), z)]
-    for each in platform.tables("fairleads"):
-        x, y, z = each.numbers("r_rel", 3)
-        headings = each.item("headings").value
+    for fairlead in platform.tables("fairleads"):
+        x, y, z = fairlead.numbers("r_rel", 3)
+        headings = fairlead.item("headings").value
         if headings is None:
             found.append((complex(x, y), z))
             continue
-        for number in each.numbers("headings", len(each.items_of("headings"))):
+        for number in fairlead.numbers("headings", len(fairlead.items_of("headings"))):
             found.append((complex(x, y) * _ahead(number), z))
     return found
 

@@ -160,7 +160,7 @@ def _type(kind: YamlTable) -> LineType:
 def _each(kind: YamlTable, key: str) -> list[float]:
     """Return numbers along x, y, z; none where one names a table, which is said."""
     found = kind.item(key)
-    words = [each.value for each in found.value] if isinstance(found.value, list) else []
+    words = [item.value for item in found.value] if isinstance(found.value, list) else []
     try:
         numbers = [0.0 if word is None else number(word) for word in words]
         if any(map(math.isnan, numbers)):
@@ -229,7 +229,7 @@ def _parts(line: YamlTable, clumps: Mapping[str, YamlTable]) -> Iterator[DeckSec
         DeckSection(row.row, row.text("LineType"), row.number("Length", above=0.0))
         for row in line.columns("LineType")
     ]
-    hung = sorted(_hung(line, clumps, sum(each.length for each in sections)), key=lambda at: at[0])
+    hung = sorted(_hung(line, clumps, sum(part.length for part in sections)), key=lambda at: at[0])
     arc = 0.0
     for section in sections:
         end = arc + section.length

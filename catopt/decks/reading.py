@@ -204,7 +204,7 @@ def read_any_deck(
             notes.refuse(row, unfit(said), "out_of_file")
     notes.raise_if_any()
     deck = (deck_format(text) or MOORDYN).read(text, notes, given)
-    placed = sum(is_said(each, "decks.turbine") for each in notes.remarks)
+    placed = sum(is_said(remark, "decks.turbine") for remark in notes.remarks)
     if placed < len(notes.turbines):
         own = f"--turbine ({len(notes.turbines)})"
         notes.refuse(0, own, "turbines_of_deck", count=placed)

@@ -157,7 +157,7 @@ def _follow(deck: Deck, piece: DeckPiece, left: list[DeckPiece]) -> Chain:
         points.append(deck.points[name])
         if deck.points[name].end != "free":
             return Chain(points, pieces)
-        piece = next(each for each in left if name in each.ends)
+        piece = next(run for run in left if name in run.ends)
 
 
 def _oriented(chain: Chain) -> Chain:
@@ -321,7 +321,7 @@ def _friction(deck: Deck, used: Collection[str], notes: Notes) -> float:
     found = {deck.types[name].friction or 0.0 for name in used}
     if len(found) > 1:
         row = min(deck.types[name].row for name in used)
-        given = f"CB {', '.join(f'{each:g}' for each in sorted(found))}"
+        given = f"CB {', '.join(f'{value:g}' for value in sorted(found))}"
         notes.refuse(row, given, "one_friction")
     notes.say("friction", friction=max(found))
     return max(found)

@@ -71,8 +71,8 @@ class YamlTable:
             self.notes.refuse(found.row, key, "numbers_are_wanted", count=count)
             return [math.nan] * count
         return [
-            math.nan if each.value is None else self.notes.value(each.row, str(each.value), key)
-            for each in words
+            math.nan if word.value is None else self.notes.value(word.row, str(word.value), key)
+            for word in words
         ]
 
     def table(self, key: str) -> YamlTable:
@@ -94,39 +94,39 @@ class YamlTable:
 
     def tables(self, key: str) -> Iterator[YamlTable]:
         """Yield the tables of a list."""
-        for each in self.items_of(key):
-            if isinstance(each.value, dict):
-                yield YamlTable(each.row, each.value, self.notes, self.opened)
-            elif each.value is not None:
-                self.notes.refuse(each.row, key, "keys_with_values")
+        for item in self.items_of(key):
+            if isinstance(item.value, dict):
+                yield YamlTable(item.row, item.value, self.notes, self.opened)
+            elif item.value is not None:
+                self.notes.refuse(item.row, key, "keys_with_values")
 
     def named(self, key: str) -> Iterator[tuple[str, YamlTable]]:
         """Yield name and table of each table below, also of one with ``keys`` and ``data``."""
         below = self.table(key)
         for row in below.rows():
             yield row.text("name"), row
-        for name in [each for each in below.items if each not in ("keys", "data")]:
+        for name in [own for own in below.items if own not in ("keys", "data")]:
             yield name, below.table(name)
 
     def rows(self) -> Iterator[YamlTable]:
         """Yield the rows of ``keys`` and ``data``, each as a table."""
-        heads = [str(each.value) for each in self.items_of("keys")]
+        heads = [str(item.value) for item in self.items_of("keys")]
         yield from self._rows(heads, self.items_of("data"))
 
     def columns(self, first: str) -> Iterator[YamlTable]:
         """Yield the rows below a key that names its columns, ``A, B, C``, by its first."""
-        for key in [each for each in self.items if each.split(",")[0].strip() == first]:
-            heads = [each.strip() for each in key.split(",")]
+        for key in [name for name in self.items if name.split(",")[0].strip() == first]:
+            heads = [head.strip() for head in key.split(",")]
             yield from self._rows(heads, self.items_of(key))
 
     def _rows(self, heads: list[str], lines: list[Item]) -> Iterator[YamlTable]:
-        for each in lines:
-            values = each.value if isinstance(each.value, list) else [each]
+        for line in lines:
+            values = line.value if isinstance(line.value, list) else [line]
             if len(values) > len(heads):
                 given = refusal("values", count=len(values))
-                self.notes.refuse(each.row, given, "wanted_count", count=len(heads))
+                self.notes.refuse(line.row, given, "wanted_count", count=len(heads))
             items = dict(zip(heads, values, strict=False))
-            yield YamlTable(each.row, items, self.notes, self.opened)
+            yield YamlTable(line.row, items, self.notes, self.opened)
 
     def say_unread(self, groups: Mapping[str, str]) -> None:
         """Name every key of the file that was not read, by the group that says why.
@@ -202,9 +202,9 @@ def _resolved(item: Item, folder: Path, notes: Notes, taken: list[str]) -> Item:
     """Take in the files that an item names, from a folder, and add them to those `taken`."""
     if isinstance(item.value, list):
         parts: list[Item] = []
-        for each in item.value:
-            inner = _resolved(each, folder, notes, taken)
-            is_file = isinstance(each.value, dict) and _included(each.value) is not None
+        for part in item.value:
+            inner = _resolved(part, folder, notes, taken)
+            is_file = isinstance(part.value, dict) and _included(part.value) is not None
             parts += inner.value if is_file and isinstance(inner.value, list) else [inner]
         return Item(item.row, parts)
     if not isinstance(item.value, dict):
@@ -249,9 +249,9 @@ def _included(table: Mapping[str, Item]) -> str | None:
 def _at_row(row: int, item: Item) -> Item:
     """Put all of another file in the line of this one that names it."""
     if isinstance(item.value, list):
-        return Item(row, [_at_row(row, each) for each in item.value])
+        return Item(row, [_at_row(row, part) for part in item.value])
     if isinstance(item.value, dict):
-        return Item(row, {key: _at_row(row, each) for key, each in item.value.items()})
+        return Item(row, {key: _at_row(row, part) for key, part in item.value.items()})
     return Item(row, item.value)
 
 
@@ -283,7 +283,7 @@ def _item(node: Any, notes: Notes, seen: set[int]) -> Item:
         return Item(row, None)
     seen.add(id(node))
     if node.id == "sequence":
-        return Item(row, [_item(each, notes, seen) for each in node.value])
+        return Item(row, [_item(part, notes, seen) for part in node.value])
     found: dict[str, Item] = {}
     for key, value in node.value:
         name = " ".join(str(key.value).split())

@@ -220,13 +220,13 @@ def _readings(source: Published, release: Release) -> SideBySide:
     printed = source.printed[release.name]
     rows: list[tuple[str, ...]] = []
     own_wave = moored(source, release, wave_height="hmax", chain_waves=True)
-    for what, of, area in (
+    for what, part, area in (
         ("float and pole", *_seen(moored(source, release))),
         ("float, pylon and topmark", *_without_pole(source, release, full)),
         ("float, pole, pylon and topmark", *_seen(moored(source, release, full))),
         ("catopt's own wave, also on the chain", *_seen(own_wave)),
     ):
-        cells = (of.horizontal_force, of.length, of.radius, of.factor, area)
+        cells = (part.horizontal_force, part.length, part.radius, part.factor, area)
         formats = ("{:.1f}", "{:.2f}", "{:.2f}", "{:.2f}", "{:.3f}")
         rows.append((what, *(f.format(cell) for f, cell in zip(formats, cells, strict=True))))
     keys = ("catenary_length_m", "swing_radius_m", "proof_load_over_tension", "area_in_air_m2")

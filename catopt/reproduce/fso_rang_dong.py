@@ -223,7 +223,7 @@ def _items(source: Published) -> tuple[Item, ...]:
     return (
         *compare(source, "MOORING_2017", computed, remarks, "truss"),
         *(item for k in _LINES for item in _line_items(source, k, run.lines[k])),
-        *(_few_digits(each) for each in compare(source, "OrcaFlex", computed, remarks, "truss")),
+        *(_few_digits(check) for check in compare(source, "OrcaFlex", computed, remarks, "truss")),
     )
 
 
@@ -257,10 +257,10 @@ def _about_the_leeward_lines(source: Published) -> str:
         as_run(gravity=_OWN_GRAVITY),
         as_run(gravity=_OWN_GRAVITY, hanging=_HANGING),
     )
-    ours, own, found = (_leeward(source, each) for each in runs)
+    ours, own, found = (_leeward(source, run) for run in runs)
     off = [
-        sum(100.0 * ((item.computed or 0.0) / item.published - 1.0) for item in each) / len(each)
-        for each in (ours, own)
+        sum(100.0 * ((item.computed or 0.0) / item.published - 1.0) for item in reach) / len(reach)
+        for reach in (ours, own)
     ]
     return Message(
         "reproduce.leeward_lines",
@@ -326,7 +326,7 @@ def _restraints(source: Published) -> SideBySide:
 
     system = turret(source)
     factor, segments = source.inputs["EA_multiplier"], system.legs[0].line.segments
-    stiff = [replace(each, EA=factor * each.EA) for each in segments]
+    stiff = [replace(segment, EA=factor * segment.EA) for segment in segments]
     closed = solve_system(with_segments(system, stiff))
     answers |= {
         "as run: held both ways, 100 EA": _of_truss(as_run()),

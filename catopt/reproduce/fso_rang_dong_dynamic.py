@@ -75,7 +75,7 @@ def study() -> Study:
     """Run both spectra on both beds; set the maxima beside the printed ones and judge none."""
     source = published(NAME)
     given, ours = source.inputs, "ours; S4's is not known"
-    far = [run(of, "pushes only").offset for of in _SPECTRA]
+    far = [run(spectrum, "pushes only").offset for spectrum in _SPECTRA]
     return study_of(
         source,
         items=[item for method in source.printed for item in set_aside(source, method, _REASON)],
@@ -246,7 +246,7 @@ def _properties(source: Published, mooring: Published, bed: BedModel) -> LinePro
 
 
 def _about_the_order(source: Published) -> str:
-    ours = [run(of).tension[1] / KN for of in _SPECTRA]
+    ours = [run(spectrum).tension[1] / KN for spectrum in _SPECTRA]
     printed = [table["line_2_tension_max_kN"].value for table in source.printed.values()]
     return Message(
         "reproduce.no_printed_maximum_reproduced_none",
@@ -304,15 +304,15 @@ def _force_at_rest(tension: float) -> float:
 
 def _beside_the_prints(source: Published) -> SideBySide:
     """Set the printed maxima and those of S4's model under the synthetic force side by side."""
-    answers = [run(of) for of in _SPECTRA]
+    answers = [run(spectrum) for spectrum in _SPECTRA]
     tables = list(source.printed.values())
     rows: list[tuple[str, ...]] = []
     for index, quantity in enumerate(tables[0]):
         if quantity.endswith("_m"):
-            name, ours = in_unit("turret offset", "m"), [each.offset for each in answers]
+            name, ours = in_unit("turret offset", "m"), [answer.offset for answer in answers]
         else:
             name = Message("reproduce.line_force", number=index + 1)
-            ours = [each.tension[index] / KN for each in answers]
+            ours = [answer.tension[index] / KN for answer in answers]
         printed = (f"{table[quantity].value:g}" for table in tables)
         rows.append((name, *printed, *map(_shown, ours)))
     return SideBySide(
@@ -329,10 +329,10 @@ def _both_beds() -> SideBySide:
         "pushes only": "pushes only, printed EA",
     }
     rows: list[tuple[str, ...]] = []
-    for of, (bed, words) in product(_SPECTRA, beds.items()):
-        answer = run(of, bed)
+    for spectrum, (bed, words) in product(_SPECTRA, beds.items()):
+        answer = run(spectrum, bed)
         windward, leeward = max(answer.tension[:3]) / KN, max(answer.tension[3:]) / KN
-        name = Message("reproduce.spectrum_on", spectrum=of, bed=term(words))
+        name = Message("reproduce.spectrum_on", spectrum=spectrum, bed=term(words))
         rows.append((name, *map(_shown, (windward, leeward, answer.offset))))
     return SideBySide(
         "The synthetic force on two beds",

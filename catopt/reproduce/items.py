@@ -409,7 +409,7 @@ def study_of(
     `ours`: what went in beside what the source states; `more`: further fields of the study.
     """
     return Study(
-        **{each.name: getattr(source, each.name) for each in fields(Heading)},
+        **{part.name: getattr(source, part.name) for part in fields(Heading)},
         inputs=(*source.stated, *ours),
         items=tuple(items),
         findings=tuple(findings),

@@ -140,7 +140,7 @@ def _held(source: Published, displacement: tuple[float, ...] = (0.0,) * 6) -> He
 def _slope(source: Published, load: int, freedom: int, step: float) -> float:
     """Take minus the central difference of a load over a step of a freedom."""
     way = [(0.0,) * freedom + (sign * step,) + (0.0,) * (5 - freedom) for sign in (1.0, -1.0)]
-    plus, minus = (_held(source, each).load[load] for each in way)
+    plus, minus = (_held(source, moved).load[load] for moved in way)
     return (minus - plus) / (2.0 * step)
 
 
@@ -186,7 +186,7 @@ def _findings(source: Published) -> tuple[str, ...]:
         return (Message("reproduce.oc4_span", more=_by_half_a_millimetre(source)),)
     if source.name == "volturnus":
         lines = [solve_one_line(source, radius) for radius in source.series["anchor_radius_m"]]
-        tensions = ", ".join(f"{each.fairlead.tension / 1e3:.1f}" for each in lines)
+        tensions = ", ".join(f"{solution.fairlead.tension / 1e3:.1f}" for solution in lines)
         return (Message("reproduce.three_radii", tensions=tensions),)
     return ()
 
@@ -340,7 +340,9 @@ def _end_tensions(offset: float) -> dict[str, float]:
     depths: tuple[Depth, ...] = get_args(Depth)
     return {
         f"{end}_tension_{depth}m_kN": getattr(line, end).tension / KN
-        for depth, line in ((each, solve_one_line(chain_of(each, offset))) for each in depths)
+        for depth, line in (
+            (water_depth, solve_one_line(chain_of(water_depth, offset))) for water_depth in depths
+        )
         for end in ("fairlead", "anchor")
     }
 

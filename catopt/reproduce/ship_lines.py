@@ -212,7 +212,7 @@ def tanker_20m() -> Study:
     table = _table_1(source, first, lifting)
     printed = source.printed[_TABLE]
     agreeing = sum(
-        each.rounding(table[quantity]) == each.text for quantity, each in printed.items()
+        number.rounding(table[quantity]) == number.text for quantity, number in printed.items()
     )
     permissible = source.inputs["breaking_load_tf"] / source.inputs["safety_factor"]
     largest = table["uplift_fairlead_tension_kN"] * KN / TF
@@ -344,7 +344,7 @@ def _about_other_forces(source: Published, rows: list[_Row]) -> str:
         return lambda force: _laid_out(source, force, equivalent).length
 
     needed = [interval(length_with(row.weight), row.printed[_LENGTH], _FORCES) for row in rows]
-    forces = ", ".join(f"{0.5 * (each.least + each.largest):.0f}" for each in needed)
+    forces = ", ".join(f"{0.5 * (ends.least + ends.largest):.0f}" for ends in needed)
     return Message("reproduce.nor_one_line_under_another", forces=forces)
 
 

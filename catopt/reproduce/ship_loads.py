@@ -45,7 +45,7 @@ def _by_parts(title: str, rows: Iterator[tuple[str, ...]], source: Published) ->
 
 def _row(of: Loads, *condition: str) -> tuple[str, ...]:
     """Write the parts of a force by its method, kN, with the grade of the least sure of them."""
-    kinds = {each.kind for each in of.components}
+    kinds = {component.kind for component in of.components}
     waves = [of.of(kind) for kind in ("wave drift", "wave") if kind in kinds]
     return (
         Several((of.method, *map(term, condition)), ", ") if condition else of.method,
@@ -53,7 +53,7 @@ def _row(of: Loads, *condition: str) -> tuple[str, ...]:
         f"{of.of('current') / KN:.1f}",
         f"{waves[0] / KN:.1f}" if waves else "-",
         f"{of.horizontal_force / KN:.1f}",
-        weakest(each.source.confidence for each in of.components),
+        weakest(component.source.confidence for component in of.components),
     )
 
 
@@ -180,7 +180,10 @@ def fso_lyings(
     if speed is not None:
         current = SurfaceCurrent(speed)
     return every_lying(
-        [Afloat(each, fso(source, each), f"tanker {each}") for each in CONDITIONS],
+        [
+            Afloat(condition, fso(source, condition), f"tanker {condition}")
+            for condition in CONDITIONS
+        ],
         wind,
         current,
         sea,
@@ -195,11 +198,11 @@ def _not_collinear(source: Published) -> SideBySide:
     """Tabulate headings and forces with the current off wind and waves."""
     rows = []
     for degrees in source.series["current_off_deg"]:
-        for each in fso_lyings(source, degrees, source.inputs["current_off_m_per_s"]):
-            condition = term(each.afloat.condition)
+        for lying in fso_lyings(source, degrees, source.inputs["current_off_m_per_s"]):
+            condition = term(lying.afloat.condition)
             words = Message("reproduce.current_off", condition=condition, angle=degrees)
-            lies = (_degrees(each.heading), _degrees(each.headings.current))
-            rows.append((words, *lies, f"{each.loads.horizontal_force / KN:.0f}"))
+            lies = (_degrees(lying.heading), _degrees(lying.headings.current))
+            rows.append((words, *lies, f"{lying.loads.horizontal_force / KN:.0f}"))
     return SideBySide(
         "Weathervaning by UFC-Blendermann, yaw of the current recalled (R)",
         (
@@ -221,9 +224,9 @@ def _most_off(source: Published) -> tuple[float, ShipHeading]:
     """Give the largest force of Table 4.2's second weather, and from where the current comes."""
     speed = source.inputs["current_off_m_per_s"]
     every = [
-        (degrees, each)
+        (degrees, lying)
         for degrees in source.series["current_off_deg"]
-        for each in fso_lyings(source, degrees, speed)
+        for lying in fso_lyings(source, degrees, speed)
     ]
     return largest(every, lambda each: each[1].loads.horizontal_force)
 

@@ -197,4 +197,4 @@ def reproduce(name: str | None = None, *, progress: Progress | None = None) -> R
         raise refused("name", repr(name), allowed, "reproduce")
     wanted = names() if name is None else (name,)
     by_swarm = {buoy_9p5m.NAME: partial(buoy_9p5m.study, progress)}
-    return Reproduction(tuple((_STUDIES | by_swarm)[each]() for each in wanted))
+    return Reproduction(tuple((_STUDIES | by_swarm)[study]() for study in wanted))
