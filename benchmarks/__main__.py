@@ -21,6 +21,7 @@ from benchmarks.common import RESULTS, ROOT, stamp
 
 SIZES = {
     "afloat": "--seeds 2",
+    "beside_moordyn": "",
     "catenary": "",
     "cold_start": "--rounds 5",
     "design": "--rounds 3",
@@ -28,6 +29,7 @@ SIZES = {
     "extremes": "--sections study speed",
     "front": "",
     "house": "",
+    "intervals": "",
     "joints": "",
     "linear": "--seas 5",
     "linear_afloat": "--lines 20 --seas 1",

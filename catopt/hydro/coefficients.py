@@ -269,7 +269,11 @@ class Memory:
 
 
 def _exponentials(t: Array, K: Array, most: int) -> list[tuple[complex, complex]]:
-    """Rates and strengths by the matrix pencil; one of each conjugate pair, twice as strong."""
+    """Rates and strengths by the matrix pencil; one of each conjugate pair, twice as strong.
+
+    What falls by less than a factor e while K is over is none of it: it would have a part of B at
+    the lowest frequencies, even below 0, and so give energy back that it never took.
+    """
     half = K.size // 2
     hankel = np.lib.stride_tricks.sliding_window_view(K, half + 1)
     _, size, rows = np.linalg.svd(hankel, full_matrices=False)
@@ -278,6 +282,7 @@ def _exponentials(t: Array, K: Array, most: int) -> list[tuple[complex, complex]
     z = np.linalg.eigvals(np.linalg.pinv(V[:, :-1].T) @ V[:, 1:].T)
     z = z[(np.abs(z) < 1.0 - 1e-9) & (np.abs(z) > 1e-12)]
     rate = np.log(z) / (t[1] - t[0])
+    rate = rate[rate.real * t[-1] <= -1.0]
     basis = np.exp(np.outer(t, rate))
     strength = np.linalg.lstsq(basis, K.astype(complex), rcond=None)[0]
     upper = rate.imag > 1e-9

@@ -52,7 +52,13 @@ from catopt.verify.dynamic_run import (
     quantities_of_hull,
 )
 from catopt.verify.dynamic_setup import Excitation
-from catopt.verify.snap_rerun import BLOCK, LEAST_BLOCKS, minutes_of, paired_changes
+from catopt.verify.snap_rerun import (
+    BLOCK,
+    LEAST_BLOCKS,
+    blocks_of,
+    paired_changes,
+    storm_block,
+)
 from catopt.words import Message
 
 Verdict = Literal["converged", "not converged", "not proven"]
@@ -475,15 +481,16 @@ class DynamicPart(Record):
 
         Of a line that goes slack the peaks of snaps are others than those between, and one tail
         through both is far above what longer runs come to (docs/sizing.md): there by Gumbel's
-        distribution of the maxima of every minute, where the runs have enough of them.
+        distribution of the maxima of equal blocks, where the runs are 20 minutes or more.
         """
         tail = self.tail(quantity, runs)
         if tail is None or not any(run.history.line_slack_time() > 0.0 for run in runs):
             return None if tail is None else tail.extreme
-        courses, blocks = [run.history.course(quantity) for run in runs], minutes_of(quantity, runs)
-        if sum(each.size for each in blocks) < LEAST_BLOCKS:
+        time = sum(run.history.course(quantity).duration for run in runs)
+        if time < LEAST_BLOCKS * BLOCK:
             return tail.extreme
-        length = sum(each.duration for each in courses) / sum(each.size for each in blocks)
+        blocks = blocks_of(quantity, runs, storm_block(quantity, runs))
+        length = time / sum(each.size for each in blocks)
         fit = gumbel_of(np.concatenate(blocks).tolist(), length, self.duration_of_interest)
         return tail.extreme if fit is None else fit.extreme
 

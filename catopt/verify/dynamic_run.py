@@ -90,7 +90,7 @@ class OverRuns(Record):
     random."""
     storm: Extreme | None = None
     """What checks are held against: that of the tail, of a line that goes slack by Gumbel's
-    distribution of the maxima of every minute."""
+    distribution of the maxima of equal blocks of the runs."""
 
     @cached_property
     def unit(self) -> Literal["N", "m", "rad", ""]:

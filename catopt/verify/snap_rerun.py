@@ -20,22 +20,31 @@ BLOCK: Final = 60.0
 """s, of a run of a line that goes slack, of which the largest value counts."""
 LEAST_BLOCKS: Final = 20
 """From which the storm's largest value is found."""
+STORM_BLOCKS: Final = 15
+"""Blocks that the storm's largest value is found from, which are then longer, but no longer than a
+run: Gumbel's distribution of many short ones is too high (`benchmarks/results/intervals.md`)."""
 
 _ONE_SIDED: Final = 0.95
 
 Levels = Sequence[tuple[Way | None, Sequence["DynamicRun"]]]
 
 
-def minutes_of(quantity: str, runs: Sequence[DynamicRun]) -> list[Array]:
-    """Largest value of a quantity in every minute of every run.
+def storm_block(quantity: str, runs: Sequence[DynamicRun]) -> float:
+    """Length of the blocks of some runs that a storm's largest value is found from, s."""
+    time = sum(run.history.course(quantity).duration for run in runs)
+    return max(BLOCK, time / STORM_BLOCKS)
+
+
+def blocks_of(quantity: str, runs: Sequence[DynamicRun], block: float = BLOCK) -> list[Array]:
+    """Largest value of a quantity in every block, s, of every run.
 
     That anywhere along a line is at no time known but as a whole: it is the larger tension of its
-    ends in that minute, times what the run has more along the line than there.
+    ends in that block, times what the run has more along the line than there.
     """
     if quantity != "largest_tension":
         courses = [run.history.course(quantity) for run in runs]
-        return [block_maxima(each.time, each.value, BLOCK) for each in courses]
-    ends = [minutes_of(each, runs) for each in ("fairlead_tension", "anchor_tension")]
+        return [block_maxima(each.time, each.value, block) for each in courses]
+    ends = [blocks_of(each, runs, block) for each in ("fairlead_tension", "anchor_tension")]
     return [
         np.maximum(*pair) * (run.maxima[quantity] / max(pair[0].max(), pair[1].max()))
         for *pair, run in zip(*ends, runs, strict=True)
@@ -67,7 +76,7 @@ def paired_change(
 
 def paired_changes(quantity: str, levels: Levels) -> list[Change]:
     """Say how far a quantity moved from level to level, and by all of them together."""
-    of = [minutes_of(quantity, runs) for _, runs in levels]
+    of = [blocks_of(quantity, runs) for _, runs in levels]
     ways = [way for way, _ in levels]
     steps = zip(ways[1:], of, of[1:], strict=False)
     found = [paired_change(quantity, way, *pair) for way, *pair in steps if way is not None]

@@ -80,3 +80,24 @@ def test_a_hull_is_the_same_in_one_thread_and_in_two() -> None:
     ]
     assert said[0]
     assert said[0] == said[1]
+
+
+def test_memory_gives_back_no_energy_that_it_did_not_take() -> None:
+    """B of the exponentials is nowhere below 0 by more than what they are fitted to.
+
+    Of "pillar 1.2 m" the heave's was 5.5 % of its largest below 0 at the lowest frequencies: one
+    exponential fell by a tenth only while the memory lasts.
+    """
+    cylinder = FloatingCylinder(0.6, 1.23, 15.0)
+    scale = math.sqrt(cylinder.gravity / cylinder.radius)
+    omega = scale * np.linspace(0.05, 3.5, 60)
+    memory = Memory.of(omega, cylinder.at(omega).damping, 40.0 / scale)
+    assert (memory.rate.real <= -scale / 40.0).all()
+    every = scale * np.concatenate([np.linspace(1e-3, 4.0, 400), np.geomspace(4.0, 100.0, 50)])
+    found = np.zeros((every.size, 3, 3))
+    for i in range(3):
+        for j in range(3):
+            found[:, i, j] = memory.damping(every, i, j)
+    largest = np.sqrt([found[:, i, i].max() for i in range(3)])
+    found = 0.5 * (found + found.transpose(0, 2, 1)) / np.outer(largest, largest)
+    assert np.linalg.eigvalsh(found)[:, 0].min() > -0.005

@@ -13,7 +13,7 @@ from catopt.answers.size_card import proof_words
 from catopt.arrays import Array
 from catopt.verify.convergence_check import LIMIT, Change, added, largest_changes
 from catopt.verify.dynamic_result import DynamicPart
-from catopt.verify.snap_rerun import paired_change
+from catopt.verify.snap_rerun import blocks_of, paired_change, storm_block
 
 SEEDS, MINUTES = 3, 9
 
@@ -118,3 +118,14 @@ def test_a_proof_is_said_with_its_chance(size: float, chance: float, said: str) 
     worst = Change("fairlead_tension", "both", size, size * over, chance, is_paired=True)
     of: Any = SimpleNamespace(worst_change=worst, proof="converged")
     assert said in str(proof_words(of))
+
+
+def test_the_storm_is_found_from_some_fifteen_blocks() -> None:
+    """Of 50 minutes in 5 runs 200 s each, of 10 minutes a minute each."""
+    time = np.linspace(0.0, 600.0, 601)
+    course = SimpleNamespace(time=time, value=time, duration=600.0)
+    run: Any = SimpleNamespace(history=SimpleNamespace(course=lambda _: course))
+    assert storm_block("fairlead_tension", [run] * 5) == pytest.approx(200.0)
+    assert storm_block("fairlead_tension", [run]) == pytest.approx(60.0)
+    (blocks,) = blocks_of("fairlead_tension", [run], 200.0)
+    assert blocks.tolist() == [199.0, 399.0, 600.0]
