@@ -35,9 +35,9 @@ def freedoms(
     parts, without which they are to do so, too. Nothing turns a body of revolution about its axis
     but lines that are fast to it away from that.
     """
-    across = waves_across(sea) or current_across(sea) or unmirrored(hull, legs)
-    across = across or (lost is not None and unmirrored(hull, legs, lost))
-    return hull.freedoms(in_plane=not across)
+    across = waves_across(sea) or current_across(sea)
+    lines = unmirrored(hull, legs) or (lost is not None and unmirrored(hull, legs, lost))
+    return hull.freedoms(in_plane=not (across or lines))
 
 
 def waves_across(sea: Sea) -> bool:

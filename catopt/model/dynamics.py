@@ -239,7 +239,7 @@ def network_motion_misfits(present: Collection[str], *, has_fairlead: bool) -> I
         yield Problem("motion", "", Message("refused_case.motion_wants_a_fairlead"))
 
 
-def _of_a_floater(present: Collection[str], given: Collection[str]) -> Iterator[Problem]:
+def _of_a_floater(present: Collection[str], given: Mapping[str, Any]) -> Iterator[Problem]:
     """Yield what does not go together with a buoy that floats at the end of its lines."""
     kind = FLOATERS[floater_kind([key.removeprefix("floater.") for key in given])]
     if kind.on_two_scales:
@@ -254,7 +254,7 @@ def _of_a_floater(present: Collection[str], given: Collection[str]) -> Iterator[
         yield Problem("system", "", Message("refused_case.ship_needs_system"))
 
 
-def _of_a_ship(present: Collection[str], given: Collection[str]) -> Iterator[Problem]:
+def _of_a_ship(present: Collection[str], given: Mapping[str, Any]) -> Iterator[Problem]:
     """Yield what does not go together with a ship on its lines."""
     if "system" not in present:
         yield Problem("system", "", Message("refused_case.ship_needs_system"))

@@ -52,13 +52,7 @@ from catopt.verify.dynamic_run import (
     quantities_of_hull,
 )
 from catopt.verify.dynamic_setup import Excitation
-from catopt.verify.snap_rerun import (
-    BLOCK,
-    LEAST_BLOCKS,
-    blocks_of,
-    paired_changes,
-    storm_block,
-)
+from catopt.verify.snap_rerun import BLOCK, LEAST_BLOCKS, paired_changes, storm_of_blocks
 from catopt.words import Message
 
 Verdict = Literal["converged", "not converged", "not proven"]
@@ -486,13 +480,7 @@ class DynamicPart(Record):
         tail = self.tail(quantity, runs)
         if tail is None or not any(run.history.line_slack_time() > 0.0 for run in runs):
             return None if tail is None else tail.extreme
-        time = sum(run.history.course(quantity).duration for run in runs)
-        if time < LEAST_BLOCKS * BLOCK:
-            return tail.extreme
-        blocks = blocks_of(quantity, runs, storm_block(quantity, runs))
-        length = time / sum(each.size for each in blocks)
-        fit = gumbel_of(np.concatenate(blocks).tolist(), length, self.duration_of_interest)
-        return tail.extreme if fit is None else fit.extreme
+        return storm_of_blocks(quantity, runs, self.duration_of_interest) or tail.extreme
 
     def worst_storm(self, quantity: str) -> Extreme | None:
         """Find what the runs, or one of the times they were made again, come to at most."""

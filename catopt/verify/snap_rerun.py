@@ -10,7 +10,7 @@ import numpy as np
 from scipy.special import stdtrit
 
 from catopt.arrays import Array
-from catopt.fem.extremes import block_maxima
+from catopt.fem.extremes import Extreme, block_maxima, gumbel
 from catopt.verify.convergence_check import REMAINS, Change, Way
 
 if TYPE_CHECKING:
@@ -49,6 +49,19 @@ def blocks_of(quantity: str, runs: Sequence[DynamicRun], block: float = BLOCK) -
         np.maximum(*pair) * (run.maxima[quantity] / max(pair[0].max(), pair[1].max()))
         for *pair, run in zip(*ends, runs, strict=True)
     ]
+
+
+def storm_of_blocks(quantity: str, runs: Sequence[DynamicRun], duration: float) -> Extreme | None:
+    """Find the largest value in a storm, s, by Gumbel's distribution of the maxima of blocks.
+
+    None for runs of less than 20 minutes in all, or blocks that are alike.
+    """
+    time = sum(run.history.course(quantity).duration for run in runs)
+    if time < LEAST_BLOCKS * BLOCK:
+        return None
+    maxima = np.concatenate(blocks_of(quantity, runs, storm_block(quantity, runs)))
+    fit = gumbel(maxima.tolist(), time / maxima.size, duration)
+    return None if fit is None else fit.extreme
 
 
 def paired_change(
