@@ -82,7 +82,7 @@ def floats_on_card(rest: LinesAtRest) -> Iterator[blocks.CardBlock]:
         if table.length > 1:
             yield table
             continue
-        if not rest.network.has_lone_floats:
+        if not rest.network.has_lone_floats or any(rest.joints.lost):
             yield blocks.Text(_moved(cast("LinesInCurrent", rest)))
             continue
         (line,), (still,) = rest.lines, cast("FloatsInCurrent", rest).heights
@@ -182,8 +182,7 @@ def _floats(body: BodyAtRest) -> Message:
 
 def buoyancy_on_card(rest: LinesAtRest) -> Iterator[blocks.Text]:
     """Say which floats are under water, and what is used of those that are not."""
-    if rest.network.current_at_rest is not None and rest.network.has_lone_floats:
-        return
+    is_told = rest.network.current_at_rest is not None and rest.network.has_lone_floats
     for key, is_under in (("floats_under", True), ("floats_afloat", False)):
         floats = [
             Message(
@@ -196,5 +195,5 @@ def buoyancy_on_card(rest: LinesAtRest) -> Iterator[blocks.Text]:
             for each in rest.floats
             if (each.under > 0.0) is is_under
         ]
-        if floats:
+        if floats and not (is_under and is_told):
             yield blocks.Text(Message(f"mooring.{key}", floats=Several(tuple(floats), "; ")))

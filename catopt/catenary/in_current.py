@@ -41,6 +41,7 @@ from catopt.errors import InputError, NotConvergedError, refused
 from catopt.model import Case, CurrentProfile, Line, Load, Site
 from catopt.model.kinds import Force, Speed
 from catopt.model.line import drag_missing
+from catopt.model.network import Point
 from catopt.model.sea import ProfileKind
 from catopt.records import From, Record
 from catopt.words import Measure, Message
@@ -63,6 +64,8 @@ _DIFFERENCE = 1e-5
 """Of the forces, by which they are changed for derivatives."""
 _SLACK = 0.02
 """Of the line's weight and load: less tension than that at the touchdown is nearly none."""
+_NOTHING = 1e-12
+"""Of the line's weight and load: a tension at the touchdown that is rounding."""
 _LEAST_PART = 1.0 / 16.0
 """Of the current, in which it is put on where it cannot be at once."""
 
@@ -224,30 +227,63 @@ def _other_spans(shot: Shot, others: Sequence[list[float]], span: float) -> list
     return sorted(found)
 
 
-def hung_on_float(
-    line: Line, site: Site, current: CurrentProfile, pull: Vector, drag: float, anchor_height: float
-) -> tuple[SolutionInCurrent, float]:
-    """Solve a line whose upper end a float pulls, and the current with it.
+class OnFloat(NamedTuple):
+    """A line whose upper end a float pulls, x in a direction (rad) from its anchor to that end.
 
-    `pull`: of the float along x, y and up, N; `drag`: its Cd A, m2. Returns the line, x in the
-    direction from its anchor to its upper end, and that direction, rad.
+    `lost`: of the pull of the float upwards, because it is out of the water, N.
     """
-    shot = Shot(line, site, current, anchor_height, math.hypot(*pull))
-    half = 0.5 * site.water_density * drag
+
+    solution: SolutionInCurrent
+    direction: float
+    lost: float
+
+
+def hung_on_float(
+    line: Line, site: Site, current: CurrentProfile, hung: Point, anchor_height: float, used: float
+) -> OnFloat:
+    """Solve a line whose upper end a joint pulls, and the current with it.
+
+    `used`: of the pull of the joint upwards in still water, N.
+
+    A float is under water with all its pull. Where that would take it out it is at the surface, and
+    loses so much as holds it there: all of it at once, or in proportion over its height.
+    """
+    pull, surface, height = hung.hung, site.water_depth, hung.float_height or 0.0
+    half = 0.5 * site.water_density * hung.drag_product
+
+    def drag(z: float) -> tuple[float, float]:
+        u, v = shot.water(z)
+        push = half * math.hypot(u, v)
+        return push * u, push * v
 
     def missed(top: Node) -> Vector:
-        u, v = shot.water(top.z)
-        push = half * math.hypot(u, v)
-        off = (top.fx - pull[0] - push * u, top.fy - pull[1] - push * v, top.fz - pull[2])
+        x, y = drag(top.z)
+        off = (top.fx - pull[0] - x, top.fy - pull[1] - y, top.fz - pull[2])
         x, y, z = (each * shot.per_force for each in off)
         return x, y, z
 
-    shot.missed_by = missed
+    def missed_at_surface(top: Node) -> Vector:
+        x, y, _ = missed(top)
+        out = (pull[2] - top.fz) / hung.lost_above
+        return x, y, top.z - surface + height * (1.0 - out)
+
+    shot = Shot(line, site, current, anchor_height, math.hypot(*pull))
+    shot.is_under_water, shot.missed_by = True, missed
     known = shot.closed([pull[0], pull[1], pull[2] - line.submerged_weight])
-    laid = shot.laid(known, shot.length)
-    assert laid is not None
-    direction = math.atan2(laid.top.y, laid.top.x)
-    return laid_in_current(shot, known, direction), direction
+    top = shot.top(known)
+    if hung.is_float and top.z + height > surface:
+        shot = Shot(line, site, current, anchor_height, used)
+        shot.is_under_water, shot.missed_by = True, missed_at_surface
+        x, y = drag(surface)
+        still = [pull[0] + x, pull[1] + y, used - line.submerged_weight]
+        known = shot.newton(still) or shot.closed(known)
+        top = shot.top(known)
+    if known[2] < 0.0 and math.hypot(*known[:2]) <= _NOTHING * shot.scale:
+        shot.loose_to = (0.0, 0.0)  # nothing takes it anywhere
+        top = shot.top(known)
+    direction = math.atan2(top.y, top.x)
+    lost = max(pull[2] - top.fz, 0.0) if shot.missed_by is missed_at_surface else 0.0
+    return OnFloat(laid_in_current(shot, known, direction), direction, lost)
 
 
 class Shot:
@@ -357,6 +393,12 @@ class Shot:
                 return self._from_bed(k, lies / part.weight, 0.0, (fx, fy), longest)
             lies -= part.weight * part.length
         return None
+
+    def top(self, known: Sequence[float]) -> Node:
+        """Return the upper end of what is found."""
+        laid = self.laid(known, self.length)
+        assert laid is not None
+        return laid.top
 
     def _from_bed(
         self, k: int, lying: float, reaction: float, force: tuple[float, float], longest: float

@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
-from catopt.catenary.in_current import hung_on_float
+from catopt.catenary.in_current import ENOUGH, hung_on_float
 from catopt.errors import (
     CatoptError,
     FloatsUpError,
@@ -20,7 +20,7 @@ from catopt.errors import (
 from catopt.model import CurrentProfile, Site, System
 from catopt.model.network import LineBetween, MooredBody, Network, Point
 from catopt.model.plausible_ranges import NAMES
-from catopt.mooring.chains import Row, apart, check_afloat, check_floats, in_rows, rows_of
+from catopt.mooring.chains import Row, apart, check_floats, in_rows, rows_of
 from catopt.mooring.in_current import rest_in_current
 from catopt.mooring.joints import (
     UNIT,
@@ -373,21 +373,21 @@ def _floats_in_current(
     network: Network, current: CurrentProfile, still: LinesAtRest
 ) -> FloatsInCurrent:
     """Bring floats to rest, each by its own line."""
-    places, solutions = list(still.joints.places), []
-    left = 0.0
+    places, solutions, left = list(still.joints.places), [], 0.0
+    lost = list(still.joints.lost)
     for run in still.runs:
         point, anchor = network.points[run.second], places[run.first]
-        found, direction = hung_on_float(
-            run.line, network.site, current, point.hung, point.drag_product, anchor[2]
-        )
-        way = (math.cos(direction), math.sin(direction))
-        at = (anchor[0] + found.span * way[0], anchor[1] + found.span * way[1])
-        places[run.second] = (*at, found.fairlead_height)
-        solutions.append(found)
-        left = max(left, found.residual.span * found.fairlead.tension / run.line.length)
-    named = dict(zip((point.name for point in network.points), places, strict=True))
-    check_afloat(network, named, named)
-    joints = still.joints._replace(places=tuple(places), residual=left)
+        used = point.hung[2] - lost[run.second]
+        found = hung_on_float(run.line, network.site, current, point, anchor[2], used)
+        line, way = found.solution, (math.cos(found.direction), math.sin(found.direction))
+        at = (anchor[0] + line.span * way[0], anchor[1] + line.span * way[1])
+        places[run.second], lost[run.second] = (*at, line.fairlead_height), found.lost
+        above = max(z for _, _, _, z, _ in line.places) - network.site.water_depth
+        if point.is_float and above > ENOUGH * run.line.length:
+            raise FloatsUpError(Message("mooring.line_floats_up", number=run.name, above=above))
+        solutions.append(line)
+        left = max(left, line.residual.span * line.fairlead.tension / run.line.length)
+    joints = still.joints._replace(places=tuple(places), residual=left, lost=tuple(lost))
     return FloatsInCurrent(
         network, still.runs, joints, solutions=tuple(solutions), still=still.joints
     )

@@ -360,7 +360,11 @@ class LinesAtRest(Tabled, Record):
         depth, found = self.network.site.water_depth, self.joints
         of = zip(self.network.points, found.places, found.lost, strict=True)
         return tuple(
-            FloatAtRest(point, lost, max(depth - place[2] - (point.float_height or 0.0), 0.0))
+            FloatAtRest(
+                point,
+                lost,
+                0.0 if lost else max(depth - place[2] - (point.float_height or 0.0), 0.0),
+            )
             for point, place, lost in of
             if point.is_float
         )

@@ -12,9 +12,12 @@ from scipy.integrate import solve_ivp
 from scipy.optimize import brentq
 
 from catopt import InputError, Line, PointLoad, Segment
+from catopt.answers.blocks import Text
+from catopt.answers.floats import buoyancy_on_card, floats_on_card
 from catopt.casefile.reading import parse_network
 from catopt.casefile.writing import write_case
 from catopt.checks.system import check_network
+from catopt.constants import STANDARD_GRAVITY
 from catopt.errors import FloatsUpError
 from catopt.model import Checks, Site
 from catopt.model.network import LineBetween, Network, Point
@@ -137,10 +140,133 @@ def test_a_buoy_below_a_float_is_a_point_load() -> None:
     assert found.lines[0].anchor.vertical_force > at_rest(network).lines[0].anchor.vertical_force
 
 
-def test_a_float_above_the_water_is_refused() -> None:
-    short = replace(moored(), site=Site(390.0, 0.3, RHO))
-    with pytest.raises(FloatsUpError, match=r"float float would be 5\.69\d* m above the water"):
-        at_rest(short)
+# ------------------------------------------------------------------ at the surface
+
+RIVER, RISER_LIFT, RISER_CdA = 40.0, 4e3, 1.0
+CHAIN = Segment(
+    30.0, 150.0, EA=5e7, MBL=300e3, drag_diameter=0.02, drag_normal=2.4, drag_axial=1.15
+)
+RISER = Segment(45.0, 0.5, EA=3e5, MBL=60e3, drag_diameter=0.016, drag_normal=1.2, drag_axial=0.02)
+
+
+def marker(speed: float, **own: Any) -> Network:
+    """Moor a marker buoy in 40 m by 75 m of chain and rope."""
+    current = CurrentProfile("power", speed=speed, direction=math.radians(30.0))
+    drag = {"drag_area": RISER_CdA, "drag_coefficient": 1.0}
+    points = (
+        Point("A", "anchor", 0.0, 0.0),
+        Point("F", "joint", submerged_weight=-RISER_LIFT, **drag, **own),
+    )
+    line = LineBetween(Line([CHAIN, RISER]), "A", "F")
+    return Network(Site(RIVER, 0.5, RHO), points, (line,), current=current)
+
+
+def come_down(speed: float, z: float, up: float) -> tuple[float, float, float, float]:
+    """Follow the line by DOP853 from a float at z that pulls `up`, in the plane of the current.
+
+    Height and way from the float where it comes to lie level, the pull there, and what is left
+    of its length.
+    """
+
+    def flow(height: float) -> float:
+        return speed * min(max(height / RIVER, 0.0), 1.0) ** (1.0 / 7.0)
+
+    u = flow(z)
+    state, left = np.array([0.0, z, 0.5 * RHO * RISER_CdA * u * u, up]), 75.0
+    for part in (RISER, CHAIN):
+        half = 0.5 * RHO * (part.drag_diameter or 0.0)
+
+        def slope(_: float, y: Any, half: float = half, part: Segment = part) -> Any:
+            T, water = math.hypot(y[2], y[3]), flow(y[1])
+            e = np.array([y[2], y[3]]) / T
+            along = water * e[0] * e
+            across = np.array([water, 0.0]) - along
+            drag = half * (part.drag_normal or 0.0) * np.linalg.norm(across) * across
+            drag += half * (part.drag_axial or 0.0) * np.linalg.norm(along) * along
+            way = -(1.0 + T / part.EA) * e
+            return np.concatenate([way, drag - np.array([0.0, part.submerged_weight])])
+
+        def is_level(_: float, y: Any) -> float:
+            return float(y[3])
+
+        is_level.terminal = True  # type: ignore[attr-defined]
+        found = solve_ivp(
+            slope, (0.0, part.length), state, "DOP853", rtol=1e-12, atol=1e-10, events=is_level
+        )
+        state, left = found.y[:, -1], left - float(found.t[-1])
+        if found.status == 1:
+            break
+    return float(state[1]), float(-state[0]), float(state[2]), left
+
+
+@pytest.mark.parametrize("speed", [0.02, 0.3, 1.5])
+@pytest.mark.parametrize("height", [None, 1.5])
+def test_a_float_on_one_line_streams_at_the_surface(speed: float, height: float | None) -> None:
+    own = {} if height is None else {"float_height": height, "mass": 100.0}
+    found = at_rest(marker(speed, **own))
+    assert isinstance(found, FloatsInCurrent)
+    most = RISER_LIFT + 100.0 * STANDARD_GRAVITY
+
+    def place(up: float) -> float:
+        return RIVER if height is None else RIVER - height * (1.0 - (RISER_LIFT - up) / most)
+
+    up = brentq(lambda each: come_down(speed, place(each), each)[0], 19.0, 3.9e3, xtol=1e-9)
+    _, way, tension, lies = come_down(speed, place(up), up)
+    (afloat,) = found.floats
+    assert afloat.used == pytest.approx(up, rel=1e-6)
+    assert afloat.under == 0.0
+    x, y, z = found.place_of("F")
+    assert z == pytest.approx(place(up), abs=1e-7)
+    assert y / x == pytest.approx(math.tan(math.radians(30.0)), rel=1e-6)
+    (line,) = found.lines
+    assert line.grounded_length == pytest.approx(lies, abs=1e-4)
+    # On the bed it lies straight, stretched by no more than the pull that comes down to it.
+    assert math.hypot(x, y) == pytest.approx(way + lies, abs=lies * tension / CHAIN.EA + 1e-4)
+    if height is not None:
+        assert afloat.draught == pytest.approx(RIVER - place(up), abs=1e-6)
+
+
+def test_a_strong_current_takes_a_surface_float_under() -> None:
+    afloat, under = (at_rest(marker(speed)).floats[0] for speed in (2.0, 3.0))
+    assert afloat.under == 0.0
+    assert (under.used, under.left) == (RISER_LIFT, 0.0)
+    assert under.under > 0.0
+
+
+def test_a_surface_float_that_nothing_pushes_stays_where_it_is() -> None:
+    network = marker(0.0)
+    calm = at_rest(network)
+    points = tuple(replace(p, drag_area=None, drag_coefficient=None) for p in network.points)
+    still = at_rest(replace(network, points=points, current=None))
+    assert calm.place_of("F") == pytest.approx(still.place_of("F"), abs=1e-6)
+    assert calm.floats[0].used == pytest.approx(still.floats[0].used, rel=1e-6)
+
+
+def test_a_taut_line_holds_a_float_at_the_surface() -> None:
+    """The instrument mooring in 390 m: it floats, with what its line takes of its lift."""
+    found = at_rest(replace(moored(), site=Site(390.0, 0.3, RHO)))
+    (afloat,) = found.floats
+    assert found.place_of("float")[2] == pytest.approx(390.0, abs=1e-6)
+    assert 0.0 < afloat.used < LIFT
+    assert found.lines[0].fairlead.vertical_force == pytest.approx(afloat.used, rel=1e-9)
+
+
+def test_a_buoyant_line_that_lifts_its_float_out_is_refused() -> None:
+    """2 N/m over 45 m take a float of 1 kg with them, up from 40 m of water."""
+    network = marker(0.2)
+    line = Line([replace(RISER, submerged_weight=-2.0)])
+    small = replace(network.points[1], submerged_weight=-10.0, mass=1.0)
+    own = (replace(network.lines[0], line=line),)
+    with pytest.raises(FloatsUpError, match="line 1, or a buoy on it, would float"):
+        at_rest(replace(network, points=(network.points[0], small), lines=own))
+
+
+def test_the_card_says_that_a_float_is_at_the_surface() -> None:
+    found = at_rest(marker(1.5, float_height=1.5, mass=100.0))
+    said = [str(each.said) for each in (*buoyancy_on_card(found), *floats_on_card(found))
+            if isinstance(each, Text)]  # fmt: skip
+    assert any("Afloat, with so much of their buoyancy in use: F, 1.860 kN" in e for e in said)
+    assert any("F is 39.145 m above the bed, 39.699 m in still water" in each for each in said)
 
 
 @pytest.mark.parametrize(
