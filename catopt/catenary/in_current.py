@@ -41,7 +41,6 @@ from catopt.errors import InputError, NotConvergedError, refused
 from catopt.model import Case, CurrentProfile, Line, Load, Site
 from catopt.model.kinds import Force, Speed
 from catopt.model.line import drag_missing
-from catopt.model.network import Point
 from catopt.model.sea import ProfileKind
 from catopt.records import From, Record
 from catopt.words import Measure, Message
@@ -64,8 +63,6 @@ _DIFFERENCE = 1e-5
 """Of the forces, by which they are changed for derivatives."""
 _SLACK = 0.02
 """Of the line's weight and load: less tension than that at the touchdown is nearly none."""
-_NOTHING = 1e-12
-"""Of the line's weight and load: a tension at the touchdown that is rounding."""
 _LEAST_PART = 1.0 / 16.0
 """Of the current, in which it is put on where it cannot be at once."""
 
@@ -225,65 +222,6 @@ def _other_spans(shot: Shot, others: Sequence[list[float]], span: float) -> list
         if all(abs(laid.top.x - each) > _APART * shot.length for each in (span, *found)):
             found.append(laid.top.x)
     return sorted(found)
-
-
-class OnFloat(NamedTuple):
-    """A line whose upper end a float pulls, x in a direction (rad) from its anchor to that end.
-
-    `lost`: of the pull of the float upwards, because it is out of the water, N.
-    """
-
-    solution: SolutionInCurrent
-    direction: float
-    lost: float
-
-
-def hung_on_float(
-    line: Line, site: Site, current: CurrentProfile, hung: Point, anchor_height: float, used: float
-) -> OnFloat:
-    """Solve a line whose upper end a joint pulls, and the current with it.
-
-    `used`: of the pull of the joint upwards in still water, N.
-
-    A float is under water with all its pull. Where that would take it out it is at the surface, and
-    loses so much as holds it there: all of it at once, or in proportion over its height.
-    """
-    pull, surface, height = hung.hung, site.water_depth, hung.float_height or 0.0
-    half = 0.5 * site.water_density * hung.drag_product
-
-    def drag(z: float) -> tuple[float, float]:
-        u, v = shot.water(z)
-        push = half * math.hypot(u, v)
-        return push * u, push * v
-
-    def missed(top: Node) -> Vector:
-        x, y = drag(top.z)
-        off = (top.fx - pull[0] - x, top.fy - pull[1] - y, top.fz - pull[2])
-        x, y, z = (each * shot.per_force for each in off)
-        return x, y, z
-
-    def missed_at_surface(top: Node) -> Vector:
-        x, y, _ = missed(top)
-        out = (pull[2] - top.fz) / hung.lost_above
-        return x, y, top.z - surface + height * (1.0 - out)
-
-    shot = Shot(line, site, current, anchor_height, math.hypot(*pull))
-    shot.is_under_water, shot.missed_by = True, missed
-    known = shot.closed([pull[0], pull[1], pull[2] - line.submerged_weight])
-    top = shot.top(known)
-    if hung.is_float and top.z + height > surface:
-        shot = Shot(line, site, current, anchor_height, used)
-        shot.is_under_water, shot.missed_by = True, missed_at_surface
-        x, y = drag(surface)
-        still = [pull[0] + x, pull[1] + y, used - line.submerged_weight]
-        known = shot.newton(still) or shot.closed(known)
-        top = shot.top(known)
-    if known[2] < 0.0 and math.hypot(*known[:2]) <= _NOTHING * shot.scale:
-        shot.loose_to = (0.0, 0.0)  # nothing takes it anywhere
-        top = shot.top(known)
-    direction = math.atan2(top.y, top.x)
-    lost = max(pull[2] - top.fz, 0.0) if shot.missed_by is missed_at_surface else 0.0
-    return OnFloat(laid_in_current(shot, known, direction), direction, lost)
 
 
 class Shot:

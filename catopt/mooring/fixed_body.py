@@ -7,7 +7,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import TypeVar
 
-from catopt.catenary.in_current import ENOUGH, hung_on_float
+from catopt.catenary.in_current import ENOUGH
+from catopt.catenary.on_float import hung_on_float
 from catopt.errors import (
     CatoptError,
     FloatsUpError,
