@@ -368,7 +368,8 @@ class _InCurrent:
             self.remember(found)
             return less
         go(self.net, self.known, 0.0)
-        self.hang()
+        if (again := self.hang()) is not None:
+            self.remember(again)
         return add_up(self.net, self.known)[0]
 
     def _step(
