@@ -258,10 +258,10 @@ class _File:
     def _two_floats_in_a_current(self) -> tuple[tuple[tuple[str, ...], ...], list[str]]:
         d = self.depth
         drag = [f"drag_area = {1e-3 * d**2!r}", "drag_coefficient = 0.6"]
-        floats = [self.joint(-self.weight * d * 10.0, *drag) for _ in range(2)]
-        for way, buoy in zip((-1.0, 1.0), floats, strict=True):
+        west, east = (self.joint(-self.weight * d * 10.0, *drag) for _ in range(2))
+        for way, buoy in ((-1.0, west), (1.0, east)):
             self.tie(self.anchor(3.0 * way * d, 0.0), buoy, 3.0 * d, in_current=True)
-        self.tie(*floats, 2.0 * d * self.draw.choice([1.0, 1.1]), in_current=True)
+        self.tie(west, east, 2.0 * d * self.draw.choice([1.0, 1.1]), in_current=True)
         return _OF_POINTS, self.made
 
     def _hanging_weight(

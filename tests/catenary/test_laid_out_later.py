@@ -10,6 +10,7 @@ import pytest
 
 import catopt.catenary.solve as solver
 from catopt import Line, PointLoad, Segment, Solution, solve
+from catopt.catenary.pieces import cut
 
 LINE = Line([Segment(80.0, 900.0, EA=1e8), Segment(120.0, 400.0)], [PointLoad(70.0, 5e3)])
 
@@ -57,6 +58,6 @@ def test_what_is_no_field_is_missed() -> None:
 def test_pieces_of_a_line_are_cut_once() -> None:
     """They are kept on the line, which is frozen; an equal line has its own."""
     line = Line([Segment(80.0, 900.0)])
-    assert solver.cut(line) is solver.cut(line)
-    assert solver.cut(line) == solver.cut(Line([Segment(80.0, 900.0)]))
+    assert cut(line) is cut(line)
+    assert cut(line) == cut(Line([Segment(80.0, 900.0)]))
     assert pickle.loads(pickle.dumps(line)) == line

@@ -10,7 +10,7 @@ import pytest
 
 from catopt.catenary.equilibrium import BY_FORCE
 from catopt.catenary.find import find_length
-from catopt.catenary.layout import lay_out
+from catopt.catenary.layout import lay_out, listed_runs
 from catopt.catenary.pieces import LineProblem, cut
 from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solution_of, solve
@@ -160,7 +160,8 @@ def test_rounding_neither_hangs_a_line_below_its_anchor_nor_makes_a_length_negat
         for length, load in zip(pieces.length, pieces.load, strict=False):
             for place in (c, c + load / mean):
                 landed = partly.state(np.array([place, 1.0]), 0.0)
-                stretches, _ = lay_out(landed, LineProblem(pieces, 0.0, s.height, 0.0))
+                problem = LineProblem(pieces, 0.0, s.height, 0.0)
+                stretches = lay_out(landed, problem, *listed_runs(landed, problem))
                 assert min(stretch.length for stretch in stretches) >= 0.0, seed
             c += load / mean + length
 
