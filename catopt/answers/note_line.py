@@ -36,7 +36,7 @@ from catopt.answers.note import (
 from catopt.answers.note_motion import motion_blocks
 from catopt.answers.solution import marks_table, points_table
 from catopt.answers.trail import equation_trail
-from catopt.figures.line import line_in_water, load_curve, tension_along
+from catopt.figures.line import line_in_water, load_curve, on_sinker, tension_along
 from catopt.figures.sizing import OBJECTIVES, composition, front
 from catopt.figures.swarm import fitness, swarm_tension
 from catopt.words import Measure, Message, Several, term
@@ -103,6 +103,8 @@ def _opening(note: Note) -> Iterator[Section]:
     )
     depth, failing = note.case.site.water_depth, failing_checks(note.checks)
     drawn = line_in_water(solution, depth, failing)
+    if note.case.anchor is not None and note.case.anchor.kind == "sinker":
+        drawn = on_sinker(drawn, solution)
     return opening(
         note,
         facts,

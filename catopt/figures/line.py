@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from itertools import accumulate, pairwise
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -114,6 +115,17 @@ def line_in_water(
         dimensions=dimensions,
         to_scale=1.0,
     )
+
+
+def on_sinker(chart: Chart, solution: Solution) -> Chart:
+    """Put a block in the place of the triangle where a sinker holds the line that is drawn."""
+    angle = Measure("angle", solution.anchor.angle)
+    said = Message("figures.sinker_at", angle=angle)
+    marks = (
+        mark._replace(role="sinker", label=said) if mark.role == "anchor" else mark
+        for mark in chart.marks
+    )
+    return replace(chart, marks=tuple(marks))
 
 
 def _ends(solution: Solution, profile: Profile) -> Place:

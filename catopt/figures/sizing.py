@@ -9,7 +9,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from catopt.figures.chart import Area, Chart, Mark, Point, Series, axis, pointed, span_of
-from catopt.figures.line import Failing, line_in_water
+from catopt.figures.line import Failing, line_in_water, on_sinker
 from catopt.figures.studies import lines_to_scale
 from catopt.largest import largest
 from catopt.quantities import QUANTITIES, Quantity
@@ -186,6 +186,8 @@ def elevation(of: Sizing, failing: Sequence[Failing] = ()) -> Chart:
     state = next(each for each in of.case.load_cases if each.name == name)
     depth = of.case.site.water_depth + state.water_level
     drawn = line_in_water(solution, depth, failing)
+    if of.sinker is not None:
+        drawn = on_sinker(drawn, solution)
     x, z = solution.span, solution.fairlead_height
     shape = of.shape
     body = tuple(_bow(of, x, z, drawn.x.high)) if shape is None else tuple(_hull(shape, x, z))
@@ -215,11 +217,18 @@ def swing_circle(of: Sizing) -> Chart:
         axis("x", ends, Message("figures.from_anchor_east")),
         axis("x", ends, Message("figures.from_anchor_north")),
         tuple(series),
-        (Mark("anchor-spot", 0.0, 0.0, Message("figures.anchor_spot")),),
+        (_spot(of),),
         areas=(_from_above(of, middle, length, breadth),),
         points=tuple(Point(*place, said) for place in edge),
         to_scale=1.0,
     )
+
+
+def _spot(of: Sizing) -> Mark:
+    """Mark what holds one line, or the middle of several, from above."""
+    if of.sinker is not None and of.pattern is None:
+        return Mark("sinker", 0.0, 0.0, Message("figures.sinker"))
+    return Mark("anchor-spot", 0.0, 0.0, Message("figures.anchor_spot"))
 
 
 def choices(of: Sizing) -> tuple[Chart, tuple[dict[str, str], ...]]:

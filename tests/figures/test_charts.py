@@ -9,6 +9,7 @@ from typing import Any
 
 import pytest
 
+from catopt import size_buoy, size_tanker
 from catopt.answers.check import failing_checks
 from catopt.catenary.case import solve_case
 from catopt.catenary.case_curve import CaseCurve, curve_case
@@ -31,6 +32,7 @@ from catopt.figures.mooring import (
     watch_round,
     watch_track,
 )
+from catopt.figures.sizing import elevation, swing_circle
 from catopt.figures.swarm import fitness
 from catopt.model import Case, Checks, Line, Load, Segment, Site
 from catopt.model.network import LineBetween, Network, Point
@@ -306,3 +308,15 @@ def test_numbers_of_lines_behind_each_other_are_one_mark() -> None:
     drawn = network_side(at_rest(Network(Site(20.0), tuple(points), lines)), 2)
     numbers = {mark.words: mark.role for mark in drawn.marks if mark.words}
     assert numbers == {"1, 4": "number", "2, 3": "most-loaded"}
+
+
+def test_a_sinker_is_a_block_and_an_anchor_a_triangle() -> None:
+    """Tankers hang on drag anchors, buoys on sinkers; from the side and from above."""
+    buoy = size_buoy("pillar 1.8 m", depth="12 m", at_rest=True)
+    ship = size_tanker(dwt="50000 t", depth="20 m", at_rest=True)
+    for sizing, wanted, other in ((buoy, "sinker", "anchor"), (ship, "anchor", "sinker")):
+        roles = [mark.role for mark in elevation(sizing).marks]
+        assert (roles.count(wanted), roles.count(other)) == (1, 0)
+    assert [mark.role for mark in swing_circle(buoy).marks] == ["sinker"]
+    assert [mark.role for mark in swing_circle(ship).marks] == ["anchor-spot"]
+    assert (LOOKS["sinker"].sign, LOOKS["anchor"].sign) == ("square", "triangle")
