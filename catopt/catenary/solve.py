@@ -408,8 +408,8 @@ def solve(
     height = found.taken("height", height, "m", at_least=0.0)
     anchor_height = found.taken("anchor_height", anchor_height, "m", at_least=0.0)
     seabed_friction = found.taken("seabed_friction", seabed_friction, "", at_least=0.0)
-    _check(line, load, found)
     place = (anchor_height, height, seabed_friction)
+    _check(line, load, height - anchor_height, found)
     if has_table(line):
         return solve_by_table(line, lambda of: _closed(of, load, place))[0]
     return _closed(line, load, place)
@@ -454,15 +454,19 @@ def _other_answers(
     return (said,) if forces else ()
 
 
-def _check(line: Line, load: Load, found: Findings) -> None:
+def _check(line: Line, load: Load, rise: float, found: Findings) -> None:
     for value in (load.horizontal_force, load.fairlead_tension):
         if value is not None and not LEAST_FORCE <= value <= GREATEST_FORCE:
             bounds = {"least_force": LEAST_FORCE, "greatest_force": GREATEST_FORCE}
             found.add("load", f"{value:g} N", Message("refused_motion.from_n", **bounds))
     weightless = all(segment.submerged_weight == 0.0 for segment in line.segments)
-    if weightless and not line.point_loads and load.horizontal_force is None:
-        allowed = Message("refused_motion.line_without_weight_needs_load")
-        found.add("segments", Message("refused_motion.weightless"), allowed)
+    if weightless and not line.point_loads and load.span is not None:
+        chord = math.hypot(load.span, rise)
+        if chord <= line.length:  # else its stretch says the force
+            allowed = Message(
+                "refused_motion.slack_without_weight", length=line.length, chord=chord
+            )
+            found.add("segments", Message("refused_motion.weightless"), allowed)
     found.raise_if_any()
 
 

@@ -260,7 +260,10 @@ def least_tension(problem: LineProblem, tension: float) -> float:
 
     Forces up to `tension` are looked at.
     """
-    least = tension_of(hang_slack(problem))
+    upright = hang_slack(problem)
+    if upright.status != CONVERGED:  # without weight, but stretched upright
+        upright = given_span(0.0, problem, math.nan, math.nan)
+    least = tension_of(upright)
     H = above = tension
     rose = False
     while FAR_DOWN * tension < H:
