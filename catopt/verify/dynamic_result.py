@@ -279,13 +279,21 @@ class DynamicPart(Record):
         known = [each.MBL for each in self.own_line.segments]
         return min(filter(None, known), default=None) if all(known) else None
 
+    @property
+    def has_parted(self) -> bool:
+        """Whether it is the line that parts: how it falls decides nothing."""
+        is_own = self.drive.dynamics.broken_line == (self.line or 1)
+        return is_own and any(run.history.parted is not None for run in self.runs)
+
     def decides(self, change: Change) -> bool:
         """Whether a change is too large: by 5 % of its own maximum and by 2 % of the line's MBL.
 
         Of a most probable maximum by its interval over seeds in place of the first. The line of a
         body that governs meets 5 % always.
         """
-        return change.size > LIMIT if self.governs else change.decides(self.MBL)
+        return not self.has_parted and (
+            change.size > LIMIT if self.governs else change.decides(self.MBL)
+        )
 
     def scatter_of(self, quantity: str) -> float | None:
         """Return the standard error of the mean peak of a cycle; None where there is none."""
@@ -473,9 +481,7 @@ class DynamicPart(Record):
     def storm(self, quantity: str, runs: Sequence[DynamicRun]) -> Extreme | None:
         """Find the largest value in the storm that checks are held against; None as for `tail`.
 
-        Of a line that goes slack the peaks of snaps are others than those between, and one tail
-        through both is far above what longer runs come to (docs/sizing.md): there by Gumbel's
-        distribution of the maxima of equal blocks, where the runs are 20 minutes or more.
+        Of a line that goes slack, with two kinds of peaks, by Gumbel's distribution of blocks.
         """
         tail = self.tail(quantity, runs)
         if tail is None or not any(run.history.line_slack_time() > 0.0 for run in runs):

@@ -17,6 +17,7 @@ from catopt.fem.mesh import mesh_line
 from catopt.floater.moored import moored_at_rest
 from catopt.floater.slow_drift import SLOW_STEP
 from catopt.model import Body, Case, Checks, Dynamics, Line, Motion, Segment, Site, System
+from catopt.verify.convergence_check import Change
 from catopt.verify.dynamic import verify_dynamic
 from catopt.verify.dynamic_lines import LinesOfAFloater
 from catopt.verify.dynamic_result import DynamicPart, DynamicVerification
@@ -91,6 +92,9 @@ def test_a_mass_on_two_springs_of_which_one_is_cut(tmp_path: Path) -> None:
     assert float(track[:, 0].max() - track[0, 0]) == pytest.approx(turn - before, rel=2e-3)
     assert left.statistics("offset").maximum == pytest.approx(turn - before, rel=2e-3)
     assert lost.max_fairlead_tension < 0.01 * stretched(before)
+    fallen, _ = found.parts
+    assert fallen.has_parted
+    assert not fallen.decides(Change("anchor_tension", "step", 12.0, 1e3))
     # Checked in the transient state, against 1.05, the rope that is left alone.
     checks = check_parts(case, found.parts, solutions_at_rest(case, found.parts))
     (tension,) = (each for each in checks.results if each.kind == "tension")
