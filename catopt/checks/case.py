@@ -320,7 +320,7 @@ def check_strengths(case: Case | Network) -> None:
 
 def _states(case: Case | Network) -> set[State]:
     """States of the mooring in which a case in motion is judged."""
-    of_cases = {each.state for each in case.load_cases} or {"intact"}
+    of_cases: set[State] = {each.state for each in case.load_cases} or {"intact"}
     if _broken(case) is None:
         return of_cases
     assert case.dynamics is not None

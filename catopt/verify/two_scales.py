@@ -18,7 +18,7 @@ from catopt.catenary.solution import Solution
 from catopt.catenary.solve import solve
 from catopt.checks.criteria import Criteria, criteria_of, motion_profile
 from catopt.checks.evaluation import evaluate, of_criteria
-from catopt.checks.kinds import Criterion, Place
+from catopt.checks.kinds import Criterion, Place, State
 from catopt.checks.profiles import profiles_of
 from catopt.checks.result import CheckReport, CheckResult
 from catopt.checks.system import (
@@ -530,7 +530,8 @@ def check_hanging(
     legs, criteria, damaged = case.own_system.legs, _criteria(case), _line_out_criteria(case)
     results: list[CheckResult] = []
     reported: list[str] = []
-    states = {*checked_states(damaged), *("transient" for each in lost if each.parted)}
+    states: set[State] = {*checked_states(damaged)}
+    states |= {"transient" for each in lost if each.parted}
     known = {each.line: criteria.strengths(each.line, {"extreme"}, states) for each in legs}
 
     def check(place: Place, numbers: Sequence[int], solutions: tuple[Solution, ...]) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -116,6 +117,7 @@ def test_it_swings_with_the_stiffness_that_is_left(tmp_path: Path) -> None:
 def test_the_anchor_lets_go_of_a_led_body_or_its_fairlead_does(tmp_path: Path) -> None:
     """A led body does not feel it: the others keep their tension, and the lost line falls."""
     base = two_ropes(tmp_path)
+    assert base.dynamics is not None
     led = replace(
         base, body=None, motion=Motion(10.0, surge=0.3, surge_phase=0.5 * math.pi),
         dynamics=replace(base.dynamics, duration=8.0, broken_at=3.0),
@@ -123,6 +125,7 @@ def test_the_anchor_lets_go_of_a_led_body_or_its_fairlead_does(tmp_path: Path) -
     lost, left = (part.runs[0] for part in run(led).parts)
     time = lost.history.time
     assert float(lost.history.fairlead_tension[time > 3.05].max()) < 1e3
+    assert led.dynamics is not None
     whole = replace(led, dynamics=replace(led.dynamics, broken_line=None, broken_at=None))
     same = run(whole).parts[1].runs[0].history
     assert np.abs(left.history.fairlead_tension - same.fairlead_tension).max() < 1.0
@@ -264,7 +267,7 @@ FOUR = Path(__file__).parents[1] / "cli" / "cases" / "buoy-four-lines.toml"
 
 def parting_buoy(duration: float) -> Case:
     """Put the buoy on four lines, of which one parts, in waves of next to nothing."""
-    case = read_case(FOUR)
+    case: Case = read_case(FOUR)
     assert case.waves is not None
     assert case.dynamics is not None
     dynamics = replace(
@@ -309,12 +312,12 @@ def test_a_buoy_swings_about_where_it_rests_without_the_line() -> None:
 SHIP = Path(__file__).parents[2] / "cases" / "fso-rang-dong-ship" / "loaded.toml"
 
 
-def short_ship(**changes: object) -> Case:
-    case = read_case(SHIP)
+def short_ship(**changes: Any) -> Case:
+    case: Case = read_case(SHIP)
     assert case.dynamics is not None
     return replace(
         case, dynamics=replace(case.dynamics, duration=400.0, ramp=40.0, runs=1, **changes)
-    )  # type: ignore[arg-type]
+    )
 
 
 def test_a_ship_goes_on_from_where_a_line_parts() -> None:
@@ -326,13 +329,14 @@ def test_a_ship_goes_on_from_where_a_line_parts() -> None:
     moored, drive = moored_ship(case)
     waves = drive.sea(0).waves
     assert waves is not None
+    assert case.waves is not None
     whole = found.runs[0]
     parted = moored.run(
         waves,
         400.0,
         40.0,
         np.random.default_rng([case.waves.seed, 0, 1]),
-        parts=(0, 200.0),  # type: ignore[union-attr]
+        parts=(0, 200.0),
     )
     at = round(200.0 / SLOW_STEP)
     assert parted.course[: at + 1] == pytest.approx(whole.course[: at + 1], abs=1e-12)
