@@ -11,6 +11,7 @@ import pytest
 
 from catopt import InputError, Line, NoEquilibriumError, Segment, solve
 from catopt.answers.blocks import Text
+from catopt.answers.floats import floating_on_card
 from catopt.answers.system import network_answer
 from catopt.casefile.reading import parse_network
 from catopt.casefile.writing import write_case
@@ -24,6 +25,7 @@ from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.many import solve_network_many
 from catopt.mooring.network_rest import LinesAtRest
 from catopt.verify.case import verify_network
+from catopt.words import say
 
 RHO = 1000.0
 ROPE = Segment(70.0, 100.0, EA=2e6, MBL=5e5, drag_diameter=0.04, drag_normal=1.2)
@@ -215,6 +217,23 @@ def test_lines_from_banks_above_lift_a_raft() -> None:
     floating = low.bodies[0].floating
     assert floating.pull == pytest.approx(pull_down(low), abs=1e-3)
     assert floating.draught == pytest.approx(0.5 + floating.pull / (RHO * G * 30.0), abs=1e-9)
+
+
+@pytest.mark.parametrize("own", [WATERPLANE, {"reserve_buoyancy": 20e3}])
+def test_a_pull_upwards_is_said_to_lift(own: dict[str, Any]) -> None:
+    network = raft(8.0, **own)
+    points = [replace(p, height=30.0) if p.kind == "anchor" else p for p in network.points]
+    lines = []
+    for line, bank, corner in zip(network.lines, points[::2], points[1::2], strict=True):
+        rope = replace(ROPE, length=1.001 * math.dist(bank.place, corner.place))
+        lines.append(replace(line, line=Line([rope])))
+    found = at_rest(replace(network, points=tuple(points), lines=tuple(lines)))
+    pull = found.bodies[0].floating.pull
+    assert pull < 0.0
+    (text,) = floating_on_card(found)
+    assert f"lifted with {-pull / 1e3:.3f} kN" in f"{text.said}"
+    assert "in reserve" not in f"{text.said}"
+    assert f"bị nhấc lên {-pull / 1e3:.3f} kN" in say(text.said, "vi")
 
 
 @pytest.mark.parametrize(
