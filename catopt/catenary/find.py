@@ -120,6 +120,10 @@ def find_length(
         conditions |= {"fairlead_tension": fairlead_tension, "horizontal_force": horizontal_force}
         fairlead_tension = horizontal_force = None
     _one_of(**conditions)
+    highest = max(height, anchor_height)
+    if sag is not None and sag > highest:
+        values = {"sag": Measure("height", sag), "most": Measure("height", highest)}
+        raise NoAnswerError(Message("catenary.sag_below_bed", **values))
 
     def at(length: float) -> Solution:
         return solve(
