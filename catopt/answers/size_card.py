@@ -405,7 +405,7 @@ def miss_answer(error: NoFeasibleDesignError, of: ResolvedInputs) -> Answer:
             option = of.errors.spell("in_motion")
             helping.insert(0, Message("sizing.miss_helps_quick", in_motion=option))
         if error.in_motion is not None and of.moored == "tanker":
-            options = {name: of.errors.spell(name) for name in ("lines", "seeds")}
+            options = {"lines": _several_lines(of), "seeds": of.errors.spell("seeds")}
             helping.append(Message("sizing.miss_helps_ship", **options))
         elif error.in_motion is not None:
             options = {"scope": of.errors.spell("scope_max"), "code": of.errors.spell("code")}
@@ -454,7 +454,16 @@ def _helps(kind: str, of: ResolvedInputs, size: float) -> Iterator[Message]:
     for name in ways.get(kind, ()):
         is_thinnest = kind == "buoyancy" and name == "chain" and size <= _thinnest(of) + _SAME_SIZE
         if _is_open(name, of) and not is_thinnest:
-            yield Message(f"sizing.try_{name}", option=of.errors.spell(name))
+            option = _several_lines(of) if name == "lines" else of.errors.spell(name)
+            yield Message(f"sizing.try_{name}", option=option)
+
+
+def _several_lines(of: ResolvedInputs) -> str:
+    """Say how several lines are asked for: in place of a limit on the swing, which is of one."""
+    option = of.errors.spell("lines")
+    if "max_swing" not in of.given:
+        return option
+    return Message("sizing.lines_for_swing", lines=option, swing=of.errors.spell("max_swing"))
 
 
 def _is_open(name: str, of: ResolvedInputs) -> bool:

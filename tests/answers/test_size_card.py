@@ -20,6 +20,7 @@ from catopt.cli.size import as_option, by_option
 from catopt.cli.size import size as size_commands
 from catopt.constants import YEAR
 from catopt.design.neighbours import NoFeasibleDesignError
+from catopt.errors import InputError
 from catopt.notes.line import Given, size_note
 from catopt.notes.origin import Asked
 from catopt.quantities import Units
@@ -273,6 +274,17 @@ def test_what_would_help_are_options_of_the_command(moored: Moored, more: dict[s
     named = re.findall(r"\((--[a-z-]+|[a-z_.]+_[a-z_.]+)\)", said)
     assert named
     assert set(named) <= options
+
+
+def test_lines_are_advised_in_place_of_the_swing_that_they_bar() -> None:
+    """Both together are refused; the advice, taken, is read as several lines."""
+    said = " ".join(said_of("tanker"))
+    assert "several lines around the ship (--lines 4 in place of --max-swing" in said
+    own = dict(BARE["tanker"])
+    with pytest.raises(InputError, match="it applies to one line"):
+        size(input_values("tanker", {**own, "lines": 4}, as_option, "options"))
+    del own["max_swing"]
+    assert input_values("tanker", {**own, "lines": 4}, as_option, "options")["lines"] == 4
 
 
 def test_no_size_is_asked_for_where_every_size_was_tried() -> None:
