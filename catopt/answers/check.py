@@ -31,11 +31,11 @@ if TYPE_CHECKING:
 def check_answer(report: CheckReport, *, of_points: bool = False) -> blocks.Answer:
     """Lay out a report of checks; `of_points`: of lines between points."""
     tables = checked_body(report) if report.places else checked(report)
-    said = (*_confidence(report), *verdict_blocks(report), blocks.Warnings(report.warnings))
+    said = (*_confidence(report), *verdict_blocks(report), blocks.Warnings(report.others))
     whole = answered(
         "check",
         report.title or Message("captions.mooring_line"),
-        section("captions.checks", *tables, *said),
+        section("captions.checks", *first_blocks(report), *tables, *said),
         section("captions.load_cases", load_case_table(report)),
     )
     in_current = any(solution.method == "shooting" for _, solution in report.solutions)
@@ -50,6 +50,7 @@ def _card(report: CheckReport) -> Iterator[blocks.CardBlock]:
     tightest = tightest_checks(report)
     checks = list(tightest.values())
     of = Rows(checks)
+    yield from first_blocks(report)
     yield from verdict_blocks(report)
     if checks:
         yield tabulate(
@@ -68,9 +69,14 @@ def _card(report: CheckReport) -> Iterator[blocks.CardBlock]:
         "fails": [each.in_case for each in others],
         "load_cases": () if report.places else cases,
         "assumed": by,
-        "to_be_known": report.warnings,
+        "to_be_known": report.others,
     }.items():
         yield from blocks.briefly(said, Message(f"answers.card_{label}"), 3)
+
+
+def first_blocks(report: CheckReport) -> Iterator[blocks.Text]:
+    """Say what stands before any answer: what is under water."""
+    yield from map(blocks.Text, report.first)
 
 
 def verdict_blocks(report: CheckReport) -> Iterator[blocks.Verdict | blocks.Text]:

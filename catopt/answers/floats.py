@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING, cast
 
 from catopt.answers import blocks
 from catopt.answers.blocks import Rows, if_known, tabulate
-from catopt.words import Measure, Message, Several
+from catopt.mooring.network_rest import bodies_said, floats_said
+from catopt.words import Measure, Message
 
 if TYPE_CHECKING:
     from catopt.mooring.network_rest import (
-        BodyAtRest,
-        FloatAtRest,
         FloatsInCurrent,
         LinesAtRest,
         LinesInCurrent,
@@ -150,56 +149,10 @@ def floating_tables(rest: LinesAtRest) -> Iterator[blocks.Table]:
     )
 
 
-def floating_on_card(rest: LinesAtRest) -> Iterator[blocks.Text]:
-    """Say which bodies their lines take under, and how deep the others float."""
-    for is_under in (True, False):
-        said = [_floats(each) for each in rest.bodies if each.floating.under is is_under]
-        if said:
-            key = "bodies_under" if is_under else "bodies_afloat"
-            yield blocks.Text(Message(f"mooring.{key}", bodies=Several(tuple(said), "; ")))
+def afloat_on_card(rest: LinesAtRest) -> Iterator[blocks.Text]:
+    """Say how deep bodies float, and what is used of the buoyancy of floats that are afloat.
 
-
-def _floats(body: BodyAtRest) -> Message:
-    """Say how a body floats: its freeboard where it is known, and what is used of its reserve."""
-    floating = body.floating
-    assert floating.reserve is not None
-    is_lifted = floating.pull < 0.0
-    values = {"pull": Measure("vertical_force", abs(floating.pull))}
-    if not is_lifted:
-        values["reserve"] = Measure("vertical_force", floating.reserve)
-    if floating.freeboard is None or floating.draught is None:
-        key = "lifted_up" if is_lifted else "pulled_down"
-        return Message(f"mooring.{key}", name=body.body.name, **values)
-    freeboard = floating.freeboard
-    values |= {
-        "draught": Measure("height", floating.draught),
-        "freeboard": Measure("height", abs(freeboard)),
-    }
-    key = "sunk_by" if freeboard < 0.0 else "floats_lifted" if is_lifted else "floats_at"
-    if floating.bed_reaction > 0.0:
-        values["reaction"] = Measure("vertical_force", floating.bed_reaction)
-        key = "lies_on_bed"
-    return Message(f"mooring.{key}", name=body.body.name, **values)
-
-
-def _used(afloat: FloatAtRest) -> Message:
-    """Say what is used of the buoyancy of a float, or how far it is under."""
-    if afloat.used < 0.0:
-        lifted = Measure("vertical_force", -afloat.used)
-        return Message("mooring.float_raised", name=afloat.name, used=lifted)
-    return Message(
-        "mooring.float_under" if afloat.under > 0.0 else "mooring.float_afloat",
-        name=afloat.name,
-        under=Measure("height", afloat.under),
-        used=Measure("vertical_force", afloat.used),
-        buoyancy=Measure("vertical_force", afloat.buoyancy),
-    )
-
-
-def buoyancy_on_card(rest: LinesAtRest) -> Iterator[blocks.Text]:
-    """Say which floats are under water, and what is used of those that are not."""
-    is_told = rest.network.current_at_rest is not None and rest.network.has_lone_floats
-    for key, is_under in (("floats_under", True), ("floats_afloat", False)):
-        floats = [_used(each) for each in rest.floats if (each.under > 0.0) is is_under]
-        if floats and not (is_under and is_told):
-            yield blocks.Text(Message(f"mooring.{key}", floats=Several(tuple(floats), "; ")))
+    What is under water is said before, with the checks.
+    """
+    for said in (*bodies_said(rest, under=False), *floats_said(rest, under=False)):
+        yield blocks.Text(said)

@@ -22,10 +22,10 @@ from catopt.answers.blocks import (
     rounded,
     tabulate,
 )
-from catopt.answers.check import governing_sentence, kind_name
+from catopt.answers.check import first_blocks, governing_sentence, kind_name
 from catopt.answers.solution import given_tables
 from catopt.answers.verification import closing_in_note, compared_in_note, lines_in_note
-from catopt.checks.kinds import limit_quantity
+from catopt.checks.kinds import QUANTITY_OF, limit_quantity
 from catopt.checks.verdict import verdict_of
 from catopt.constants import YEAR
 from catopt.quantities import QUANTITIES, Quantity
@@ -35,7 +35,7 @@ from catopt.words import Cited, Measure, Message, Several, quantity_name
 if TYPE_CHECKING:
     from catopt.catalogue import Component
     from catopt.checks.kinds import Criterion
-    from catopt.checks.result import CheckReport
+    from catopt.checks.result import CheckReport, CheckResult
     from catopt.checks.verdict import Judgement
     from catopt.model import Case, Line, Segment
     from catopt.model.network import Network
@@ -149,6 +149,7 @@ def opening(
     four = (*in_storm, *still[:2], reach, still[2])
     rows = [(name, (value, rounded(key, value))) for name, key, value in four]
     answer = (
+        *first_blocks(report),
         *(Text(each) for each in said),
         Verdict.of_judgement(judgement),
         from_rows("four", ("page.what", "value"), rows),
@@ -157,7 +158,8 @@ def opening(
     )
     yield section("summary", answer, "note_first")
     yield section("identity", _title_block(facts, note))
-    yield section("warnings", [blocks.Warnings(note.warnings)] if note.warnings else [])
+    others = tuple(each for each in note.warnings if each not in report.first)
+    yield section("warnings", [blocks.Warnings(others)] if others else [])
 
 
 def _reserve(sheet: Stated) -> Number:
@@ -389,7 +391,7 @@ def stated_section(sheet: Stated, own: Mapping[str, str], analysis: str = "") ->
     facts = (
         Fact(Message(f"note_sheet.{key}"), known[key]) for key in _BASIS.split() if key in known
     )
-    limits = [_limit_states(sheet)] if sheet.criteria.all else []
+    limits = [_limit_states(sheet)] if sheet.criteria.all or sheet.report.results else []
     return section("basis", [Facts("basis", tuple(facts)), *limits], "note_sheet")
 
 
@@ -453,6 +455,7 @@ def _limit_states(sheet: Stated) -> Table:
             on = Message(f"note_sheet.on_{of}") if of else ""
             by = source.text if source.document else Message("note_sheet.by_user")
             rows.append((Several(found, "; "), kind_name(each.check), limit, on, by))
+    rows += _own_limits(sheet, states[0])
     keys = (
         "note_sheet.limit_state",
         "check",
@@ -461,6 +464,25 @@ def _limit_states(sheet: Stated) -> Table:
         "source",
     )
     return from_rows("limit_states", keys, rows, Message("note_sheet.limit_states"))
+
+
+def _own_limits(sheet: Stated, intact: str) -> Iterator[Sequence[Cell]]:
+    """Yield what counts beside the criteria: a reserve of each body, and that there is a rest."""
+    known = {each.check for each in sheet.criteria.all}
+    states: dict[CheckResult, dict[str, None]] = {}
+    for each in sheet.report.results:
+        if each.kind not in known:
+            name = intact if each.place.state == "intact" else "one_line_out"
+            alike = (of for of in states if of.name == each.name)
+            states.setdefault(next(alike, each), {})[name] = None
+    for each, names in states.items():
+        found = Several((Message(f"note_sheet.{name}") for name in names), "; ")
+        kind, quantity = kind_name(each.kind), QUANTITY_OF[each.kind]
+        if each.kind == "equilibrium":
+            yield found, kind, (None, quantity), "", ""
+            continue
+        by = each.source.text if each.source.document else Message("note_sheet.by_user")
+        yield found, kind, (each.capacity, quantity), each.name, by
 
 
 def _is_in(name: str, criterion: Criterion) -> bool:

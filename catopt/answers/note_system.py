@@ -56,6 +56,7 @@ from catopt.words import Measure, Message, Sentence, Several
 
 if TYPE_CHECKING:
     from catopt.checks.result import CheckReport
+    from catopt.mooring.network_rest import LinesAtRest
     from catopt.mooring.restoring import Response
     from catopt.mooring.solution import LegState, SystemSolution
     from catopt.notes.system import NetworkNote, SystemNote
@@ -517,9 +518,25 @@ def _network_line_out(note: NetworkNote) -> Iterator[Block]:
     gone = note.line_out
     if not gone:
         return
-    yield Text(Message("note_system.network_line_out_about"))
+    yield Text(Several(_about_line_out(note.rest), " "))
     yield network_out_table(gone, note.checks)
     yield from (Verdict(each.why_lost, passes=False) for each in gone if each.rest is None)
+
+
+def _about_line_out(rest: LinesAtRest) -> Iterator[Message]:
+    """Say what a line that is gone leaves free to move, and what is held."""
+    yield Message("note_system.network_line_out_about")
+    network, frees = rest.network, []
+    if any(point.kind == "joint" for point in network.points):
+        frees.append(Message("note_system.network_joints"))
+    if network.bodies:
+        names = ", ".join(body.name for body in network.bodies)
+        frees.append(Message("note_system.network_bodies", names=names))
+    if frees:
+        yield Message("note_system.network_frees", frees=Several(frees, ", "))
+    if rest.has_held_body:
+        yield Message("note_system.network_held")
+    yield Message("note_system.network_loose")
 
 
 def _components(note: NetworkNote) -> Iterator[Block]:

@@ -18,11 +18,10 @@ from catopt.answers.blocks import (
     tabulate,
     texts,
 )
-from catopt.answers.check import verdict_blocks, verdict_column
+from catopt.answers.check import first_blocks, verdict_blocks, verdict_column
 from catopt.answers.floats import (
-    buoyancy_on_card,
+    afloat_on_card,
     buoyancy_tables,
-    floating_on_card,
     floating_tables,
     floats_on_card,
     floats_tables,
@@ -392,7 +391,8 @@ def network_answer(
         for number, each in enumerate(held, start=1 + len(bodies) - len(held))
     )
     bodies_tables = [bodies_table(rest), *floating_tables(rest)] if rest.bodies else []
-    moved = [section("captions.bodies", *bodies_tables)] if rest.bodies else []
+    first = tuple(first_blocks(checks))
+    moved = [section("captions.bodies", *first, *bodies_tables)] if rest.bodies else []
     residual = max(each.joints.residual for each in (rest, *held))
     out = network_out_table(line_out, checks)
     lost = (blocks.Text(each.why_lost) for each in line_out if each.rest is None)
@@ -402,6 +402,7 @@ def network_answer(
         *moved,
         section(
             "captions.joints",
+            *(() if moved else first),
             blocks.Text(solved),
             *floats_tables(rest),
             *buoyancy_tables(rest),
@@ -418,14 +419,14 @@ def network_answer(
         section(
             "captions.residuals",
             blocks.Text(Message("mooring.residual_of_joints", value=residual)),
-            blocks.Warnings(everywhere.whole.warnings),
+            blocks.Warnings(everywhere.whole.others),
         ),
     )
     *_, shapes = places_tables(rest)
     in_current = network.current_at_rest is not None  # then its joints are said by how they move
     card: tuple[blocks.CardBlock, ...] = (
-        *floating_on_card(rest),
-        *buoyancy_on_card(rest),
+        *first_blocks(everywhere.whole),
+        *afloat_on_card(rest),
         *verdict_blocks(everywhere.whole),
         *([out] if line_out else []),
         *([circle_table(circle)] if circle else []),
@@ -442,7 +443,7 @@ def network_answer(
         *hung_on_card(each.point_loads for each in rest.named_lines),
         *([] if in_current else [joints_table(rest, "joints")]),
         *if_free(shapes, rest.lines),
-        *blocks.briefly(everywhere.whole.warnings, blocks.TO_BE_KNOWN, 3),
+        *blocks.briefly(everywhere.whole.others, blocks.TO_BE_KNOWN, 3),
         blocks.Brief((solved,)),
     )
     return replace(whole, card=card)

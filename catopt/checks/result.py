@@ -17,7 +17,7 @@ from catopt.model.load import LoadCaseKind
 from catopt.model.network import Network
 from catopt.old_names import OldName
 from catopt.records import From, FromZero, Record, within
-from catopt.words import Message
+from catopt.words import Message, is_said
 
 __all__ = ["CheckReport", "CheckResult", "CheckSource", "line_in_state"]
 
@@ -113,6 +113,9 @@ class HangingLine(Record):
     place: Place
 
 
+_FIRST = ("mooring.bodies_under", "mooring.floats_under")
+
+
 @dataclass(frozen=True, repr=False)
 class CheckReport(Displayable, Record):
     """Checks of one line in all its load cases, or of the lines of a body in all its states.
@@ -144,6 +147,16 @@ class CheckReport(Displayable, Record):
     case: Case | Network | None = field(default=None, compare=False)  # that was checked
     is_in_motion: bool = False  # whether the lines were run in time
     is_proven: bool = False  # whether they were run again at a finer step or with more bars
+
+    @property
+    def first(self) -> tuple[str, ...]:
+        """Those of the warnings that stand before any answer: what is under water."""
+        return tuple(each for each in self.warnings if any(is_said(each, key) for key in _FIRST))
+
+    @property
+    def others(self) -> tuple[str, ...]:
+        """The warnings beside these."""
+        return tuple(each for each in self.warnings if each not in self.first)
 
     @property
     def judgement(self) -> Judgement:

@@ -26,7 +26,7 @@ from catopt.model.network import Network
 from catopt.mooring.case import LineOut, SystemReport, one_line_out, report_system
 from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.network_out import NetworkOut, each_line_out
-from catopt.mooring.network_rest import LinesAtRest
+from catopt.mooring.network_rest import LinesAtRest, bodies_said, floats_said
 from catopt.mooring.restoring import WatchCircle
 from catopt.mooring.solution import SystemSolution, of_line
 from catopt.words import Measure, Message
@@ -249,13 +249,15 @@ def check_network(
         results += check_afloat(found.bodies, state_words(place), place)
         results += check_floats(found.floats, state_words(place), place)
     warnings = (
+        *bodies_said(rest, under=True),
+        *floats_said(rest, under=True),
         *(
             said
             for run, known in zip(rest.runs, strengths, strict=True)
             for said in of_criteria(criteria, run.line, known)
         ),
         *of_line_out(criteria, damaged, count),
-        *(_of_states(network, gone) if damaged else ()),
+        *(_of_states(rest, gone) if damaged else ()),
         *of_transient(criteria),
         *of_uplift((each for each, _, anchored in solved if anchored), criteria, network.anchor),
         *_of_anchors(criteria, rest),
@@ -290,7 +292,7 @@ def check_at_levels(
         for load, other in zip(map(_level_words, levels), others, strict=True)
         for each in other.results
     )
-    warnings = (*report.warnings, *(said for other in others for said in other.warnings))
+    warnings = (*report.warnings, *(said for other in others for said in other.others))
     every = (*report.results, *results)
     whole = replace(report, results=every, warnings=tuple(dict.fromkeys(warnings)))
     return AtLevels(whole, others)
@@ -364,9 +366,9 @@ def _key(key: str, line: int, last: int | None) -> str:
     return re.sub(r"^line\.segments\[(\d+)\]", placed, key)
 
 
-def _of_states(network: Network, gone: Sequence[NetworkOut]) -> Iterator[Message]:
+def _of_states(rest: LinesAtRest, gone: Sequence[NetworkOut]) -> Iterator[Message]:
     """Say that the body stays where it is held, and which lines hang loose without another."""
-    if any(point.kind == "fairlead" and not point.body for point in network.points):
+    if rest.has_held_body:
         yield Message("checks.held_line_out")
     for each in gone:
         if each.loose:

@@ -335,7 +335,7 @@ def read_network_note(
     line_out = each_line_out(network) if len(network.lines) > 1 else ()
     checks = check_network(network, rest, line_out or None)
     found, judged = _in_motion(network, asked, progress)
-    warnings = [] if found is None else list(_of_motion(found))
+    warnings = [*checks.first, *(() if found is None else _of_motion(found))]
     warnings += [each for each in checks.warnings if not is_said(each, NO_CHECK)]
     verification, failure = both_models(network) if asked.verify else (None, "")
     warnings += doubts_of_models(verification, failure, "body")

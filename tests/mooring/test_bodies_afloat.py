@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,9 @@ import pytest
 
 from catopt import InputError, Line, NoEquilibriumError, Segment, solve
 from catopt.answers.blocks import Text
-from catopt.answers.floats import floating_on_card
+from catopt.answers.check import check_answer, kind_name
+from catopt.answers.floats import afloat_on_card
+from catopt.answers.note_system import network_note_answer
 from catopt.answers.system import network_answer
 from catopt.casefile.reading import parse_network
 from catopt.casefile.writing import write_case
@@ -24,6 +27,8 @@ from catopt.mooring.case import at_levels
 from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.many import solve_network_many
 from catopt.mooring.network_rest import LinesAtRest
+from catopt.notes.origin import Asked
+from catopt.notes.system import NetworkNote, read_network_note
 from catopt.verify.case import verify_network
 from catopt.words import say
 
@@ -230,7 +235,7 @@ def test_a_pull_upwards_is_said_to_lift(own: dict[str, Any]) -> None:
     found = at_rest(replace(network, points=tuple(points), lines=tuple(lines)))
     pull = found.bodies[0].floating.pull
     assert pull < 0.0
-    (text,) = floating_on_card(found)
+    (text,) = afloat_on_card(found)
     assert f"lifted with {-pull / 1e3:.3f} kN" in f"{text.said}"
     assert "in reserve" not in f"{text.said}"
     assert f"bị nhấc lên {-pull / 1e3:.3f} kN" in say(text.said, "vi")
@@ -256,3 +261,79 @@ def test_a_file_keeps_it() -> None:
     for own in (WATERPLANE, {"reserve_buoyancy": 2e4}):
         network = raft(**own)
         assert parse_network(write_case(network)) == network
+
+
+HUB = """
+title = "Float on three legs"
+[site]
+water_depth = "20 m"
+[[points]]
+name = "hub"
+kind = "joint"
+submerged_weight = "-6 kN"
+mass = "150 kg"
+float_height = "1 m"
+[checks]
+safety_factor = 3
+""" + "".join(
+    f"""
+[[points]]
+name = "a{k}"
+kind = "anchor"
+x = "{x} m"
+y = "{y} m"
+[[lines]]
+start = "a{k}"
+end = "hub"
+segments = [{{length = "25 m", submerged_weight = "400 N/m", EA = "50 MN", MBL = "250 kN"}}]
+"""
+    for k, (x, y) in enumerate([(20, 0), (-10, 17), (-10, -17)])
+)
+"""Its lines weigh more than it floats: it hangs on them below the surface."""
+
+
+def note_of(tmp_path: Path, text: str) -> tuple[NetworkNote, str, list[str]]:
+    """Compute a note; what it begins with, and all that it says in its sections."""
+    place = tmp_path / "case.toml"
+    place.write_text(text, encoding="utf-8")
+    note = read_network_note(place, Asked(verify=False))
+    answer = network_note_answer(note)
+    every = [f"{each.said}" for each in answer.blocks if isinstance(each, Text)]
+    return note, every[0], every
+
+
+@pytest.mark.parametrize("of", ["raft", "sunken raft", "hub"])
+def test_a_note_says_what_is_free_and_first_what_is_under_water(tmp_path: Path, of: str) -> None:
+    area = {"raft": 40.0, "sunken raft": 0.4}.get(of)
+    text = HUB
+    if area is not None:
+        own = raft(**WATERPLANE | {"waterplane_area": area})
+        text = write_case(replace(own, title=of, checks=Checks(safety_factor=3.0)))
+    note, head, every = note_of(tmp_path, text)
+    said = " ".join(every)
+    assert "held" not in said  # no case here holds anything
+    assert ("bodies (raft)" in said) is (of != "hub")
+    assert ("equilibrium: joints" in said) is (of == "hub")
+    under = {
+        "raft": "",
+        "sunken raft": "Pulled under water by their lines: raft by ",
+        "hub": "Under water, with all their buoyancy in use: hub by ",
+    }[of]
+    if under:
+        assert head.startswith(under)
+        assert f"{note.warnings[0]}" == head
+        (card, *_) = check_answer(note.checks, of_points=True).card
+        assert isinstance(card, Text)
+        assert f"{card.said}" == head
+        assert note.checks.to_dict()["warnings"][0] == head
+    else:
+        assert "nder water" not in said
+    (limits,) = (
+        each
+        for each in network_note_answer(note).blocks
+        if getattr(each, "name", "") == "limit_states"
+    )
+    named = {f"{each}" for each in limits.columns[1].values}
+    counted = {f"{kind_name(each.kind)}" for each in note.checks.results}
+    assert named == counted
+    assert "Reserve buoyancy" in named

@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 
 from catopt import InputError, Line, PointLoad, Segment
 from catopt.answers.blocks import Text
-from catopt.answers.floats import buoyancy_on_card, floats_on_card
+from catopt.answers.floats import afloat_on_card, floats_on_card
 from catopt.casefile.reading import parse_network
 from catopt.casefile.writing import write_case
 from catopt.checks.system import check_network
@@ -263,7 +263,7 @@ def test_a_buoyant_line_that_lifts_its_float_out_is_refused() -> None:
 
 def test_the_card_says_that_a_float_is_at_the_surface() -> None:
     found = at_rest(marker(1.5, float_height=1.5, mass=100.0))
-    said = [str(each.said) for each in (*buoyancy_on_card(found), *floats_on_card(found))
+    said = [str(each.said) for each in (*afloat_on_card(found), *floats_on_card(found))
             if isinstance(each, Text)]  # fmt: skip
     assert any("Afloat, with so much of their buoyancy in use: F, 1.860 kN" in e for e in said)
     assert any("F is 39.145 m above the bed, 39.699 m in still water" in each for each in said)
