@@ -40,6 +40,7 @@ def _blocks(result: StudyResult) -> Iterator[blocks.Block]:
         yield _few(result)
     if result.statistics:
         yield _statistics(result)
+        yield from _of_fewer(result)
         if any(each.limit is not None for each in result.statistics):
             yield _limits(result)
             if result.by_choice:
@@ -132,7 +133,7 @@ def _statistics(result: StudyResult) -> blocks.Table:
     return tabulate(
         "study",
         of.texts(*_QUANTITY),
-        of.texts("study.members", "count", priority=3),
+        of.texts("study.members", "count", priority=0 if _fewest(result) else 3),
         of.texts("study.mean", "mean", units=units),
         of.texts("study.deviation", "deviation", units=units, priority=1),
         of.texts("study.least", "least", units=units),
@@ -140,6 +141,22 @@ def _statistics(result: StudyResult) -> blocks.Table:
         of.texts("study.largest", "largest", units=units),
         caption=Message("study.statistics"),
     )
+
+
+def _fewest(result: StudyResult) -> list[Statistic]:
+    """List the statistics that are of fewer members than others are."""
+    most = max(each.count for each in result.statistics)
+    return [each for each in result.statistics if each.count < most]
+
+
+def _of_fewer(result: StudyResult) -> Iterator[blocks.Verdict]:
+    """Say which rows are of fewer members, and whether those that are left out fail."""
+    most = max(each.count for each in result.statistics)
+    for each in _fewest(result):
+        said = Message("study.of_fewer", name=each.kept.words, count=each.count, members=most)
+        yield blocks.Verdict(said, None)
+    if result.fails_unused:
+        yield blocks.Verdict(Message("study.fails_unused", count=result.fails_unused), passes=False)
 
 
 def _units(found: Sequence[Statistic]) -> tuple[Quantity, ...]:

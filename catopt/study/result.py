@@ -263,6 +263,15 @@ class StudyResult(Displayable, Record):
         )
         return tuple(each for each in found if each is not None)
 
+    @cached_property
+    def fails_unused(self) -> FromZero:
+        """How many members fail by a check without a utilisation, and are not in its statistic."""
+        names = {each.name for each in self.measured}
+        if not {"utilisation", "failing"} <= names:
+            return 0
+        is_missing = np.isnan(self.values("utilisation"))
+        return int((is_missing & (self.values("failing") > 0.0)).sum())
+
     @property
     def full(self) -> tuple[FullStatistic, ...]:
         """Of each quantity that any member has."""

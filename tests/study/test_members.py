@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import catopt
-from catopt.answers.blocks import Table, Warnings
+from catopt.answers.blocks import Table, Verdict, Warnings
 from catopt.answers.study import study_answer
 from catopt.checks.case import check_case
 from catopt.constants import YEAR
@@ -249,3 +249,29 @@ def test_what_is_there_is_not_computed_again(
     whole = run_study(tmp_path / "study.toml")
     ours = StudyResult(study, again)
     assert np.array_equal(ours.values("utilisation"), whole.values("utilisation"))
+
+
+def test_statistics_say_of_how_many_they_are_and_what_fails_without_them(tmp_path: Path) -> None:
+    """An uplift where none is allowed has no utilisation: the member is in no mean of it.
+
+    100 m of chain in 20 m of water lie on the bed up to w (s^2 - h^2) / 2 h, some 300 kN.
+    """
+    case = WEARING.replace("300 m", "100 m")
+    (tmp_path / "case.toml").write_text(f"{case}max_anchor_uplift_angle = 0\n")
+    text = 'case = "case.toml"\ncompute = "checks"\n[[vary]]\nkey = "load.horizontal_force"\n'
+    found = run(tmp_path, f'{text}values = ["100 kN", "200 kN", "600 kN"]\n')
+    used, failing = found.values("utilisation"), found.values("failing")
+    assert np.isnan(used).tolist() == [False, False, True]
+    assert failing[:2].tolist() == [0.0, 0.0]
+    assert failing[2] > 0.0
+    assert found.fails_unused == 1
+    said = [f"{each.said}" for each in study_answer(found).blocks if isinstance(each, Verdict)]
+    assert "Utilisation is over 2 of 3 members: the others have none." in said
+    assert any(each.startswith("1 member fails a check that has no utilisation") for each in said)
+    (table,) = (each for each in study_answer(found).blocks if getattr(each, "name", "") == "study")
+    (members,) = (each for each in table.columns if f"{each.name}" == "Members")
+    assert members.values == (2, 3)
+    assert members.priority == 0  # it stays on the narrowest screen
+    whole = run(tmp_path, f'{text}values = ["100 kN", "200 kN"]\n')
+    assert whole.fails_unused == 0
+    assert not any("no utilisation" in f"{each}" for each in study_answer(whole).blocks)
