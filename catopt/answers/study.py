@@ -35,7 +35,7 @@ def study_answer(result: StudyResult) -> blocks.Answer:
 
 
 def _blocks(result: StudyResult) -> Iterator[blocks.Block]:
-    yield _state(result)
+    yield from _heads(result)
     if result.is_complete and len(result.study) <= _FEW:
         yield _few(result)
     if result.statistics:
@@ -103,6 +103,13 @@ def _is_known(value: Any) -> bool:
 def _in_table(study: Study) -> list[Output]:
     """List what is kept as the table of members has it: numbers, then words."""
     return sorted(study.base.kept, key=lambda each: not each.quantity)
+
+
+def _heads(result: StudyResult) -> Iterator[blocks.Verdict]:
+    yield _state(result)
+    if heights := result.study.heights_that_stay:
+        said = Message("study.heights_stay", keys=Cited(", ".join(heights)))
+        yield blocks.Verdict(said, None)
 
 
 def _state(result: StudyResult) -> blocks.Verdict:

@@ -251,6 +251,7 @@ def check_network(
     warnings = (
         *bodies_said(rest, under=True),
         *floats_said(rest, under=True),
+        *_of_fairleads(network),
         *(
             said
             for run, known in zip(rest.runs, strengths, strict=True)
@@ -387,6 +388,31 @@ def _of_anchors(criteria: Criteria, rest: LinesAtRest) -> Iterator[Message]:
         if points[run.second].kind == "anchor":
             name = points[run.second].name
             yield Message("checks.anchor_not_judged", number=number, name=name)
+
+
+def _of_fairleads(network: Network) -> Iterator[Message]:
+    """Say which fairleads lie below the keel or above the deck of a body, as it floats unpulled."""
+    depth = network.site.water_depth
+    for body in network.bodies:
+        if not body.floats:
+            continue
+        _, draught, freeboard = body.afloat
+        over = {p.name: p.place[2] - depth for p in network.points if p.body == body.name}
+        for key, ways in (
+            ("below_keel", {name: -height - draught for name, height in over.items()}),
+            ("above_deck", {name: height - freeboard for name, height in over.items()}),
+        ):
+            beyond = {name: way for name, way in ways.items() if way > ROUNDING * depth}
+            if beyond:
+                yield Message(
+                    f"mooring.fairleads_{key}",
+                    name=body.name,
+                    draught=draught,
+                    freeboard=freeboard,
+                    depth=depth,
+                    points=", ".join(beyond),
+                    by=max(beyond.values()),
+                )
 
 
 def _of_joints(rest: LinesAtRest) -> Iterator[Message]:

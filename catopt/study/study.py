@@ -209,6 +209,20 @@ class Study:
         return tuple(key for axis in self.axes for key in axis.columns)
 
     @property
+    def heights_that_stay(self) -> tuple[str, ...]:
+        """Keys of fairleads whose heights are given and stay while the water depth varies."""
+        if "site.water_depth" not in self.keys:
+            return ()
+        file = self.base.document
+        heights = [
+            f"points[{k}].height"
+            for k, point in enumerate(file.get("points", ()))
+            if point.get("kind") == "fairlead" and "height" in point
+        ]
+        heights += ["line.fairlead_height"] * ("fairlead_height" in file.get("line", {}))
+        return tuple(key for key in heights if key not in self.keys)
+
+    @property
     def distributions(self) -> Mapping[str, Distribution]:
         """What keys were drawn from, by key path; empty where anything else varies, too."""
         found: Mapping[str, Distribution] = {}

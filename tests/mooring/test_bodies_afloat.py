@@ -337,3 +337,23 @@ def test_a_note_says_what_is_free_and_first_what_is_under_water(tmp_path: Path, 
     counted = {f"{kind_name(each.kind)}" for each in note.checks.results}
     assert named == counted
     assert "Reserve buoyancy" in named
+
+
+@pytest.mark.parametrize(
+    ("depth", "said"),
+    [
+        (40.0, ""),
+        (40.3, ""),  # 0.5 m below the water: at the keel
+        (45.4, "fairleads corner 0, corner 1, corner 2, corner 3 are below the keel of raft, by "),
+        (39.0, "fairleads corner 0, corner 1, corner 2, corner 3 are above the deck of raft, by "),
+    ],
+)
+def test_fairleads_beyond_keel_and_deck_are_remarked_on(depth: float, said: str) -> None:
+    """They are 39.8 m above the bed; the raft reaches from 0.5 m below the water to 0.7 m above."""
+    own = raft(**WATERPLANE)
+    own = replace(own, site=replace(own.site, water_depth=depth))
+    warned = [f"{each}" for each in check_network(own).warnings if "fairleads corner" in f"{each}"]
+    by = {45.4: 45.4 - 39.8 - 0.5, 39.0: 39.8 - 39.0 - 0.7}.get(depth)
+    assert len(warned) == (by is not None)
+    if by is not None:
+        assert warned[0].startswith(f"{said}up to {by:.4g} m")

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from catopt import InputError, Line, Segment
-from catopt.answers.floats import buoyancy_on_card
+from catopt.answers.floats import afloat_on_card
 from catopt.casefile.reading import parse_network
 from catopt.casefile.writing import write_case
 from catopt.constants import STANDARD_GRAVITY as G
@@ -171,7 +171,7 @@ def test_a_float_that_lines_lift_weighs_what_it_does_in_air() -> None:
     (up,) = found.floats
     assert found.place_of("float")[2] > 6.0
     assert up.used == pytest.approx(-20.0 * G)
-    (said,) = buoyancy_on_card(found)
+    (said,) = afloat_on_card(found)
     assert "float, none, lifted with 0.196 kN" in f"{said.said}"
 
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from catopt import InputError, read_case
+from catopt.answers.study import study_answer
 from catopt.casefile import write_case
 from catopt.checks.system import check_network
 from catopt.model import Checks
@@ -119,3 +120,19 @@ def test_what_points_do_not_have_is_refused(
     (tmp_path / "study.toml").write_text(head + text, encoding="utf-8")
     with pytest.raises(InputError, match=said):
         read_study(tmp_path / "study.toml")
+
+
+def test_fairlead_heights_that_stay_as_the_depth_varies_are_named(tmp_path: Path) -> None:
+    depth = barge().site.water_depth
+    ends = [k for k, point in enumerate(barge().points) if point.kind == "fairlead"]
+    text = f'[[vary]]\nkey = "site.water_depth"\nvalues = [{depth}, {depth + 1.0}]\n'
+    found = run(tmp_path, write_case(barge()), "statics", text)
+    stay = [f"points[{k}].height" for k in ends]
+    assert found.study.heights_that_stay == tuple(stay)
+    said = " ".join(f"{each.said}" for each in study_answer(found).blocks[:2])
+    assert f"these fairlead heights above the bed do not: {', '.join(stay)}." in said
+    heads = ",".join(["site.water_depth (m)", *(f"{key} (m)" for key in stay)])
+    rows = "".join(",".join([f"{depth + up}"] * (1 + len(ends))) + "\n" for up in (0.0, 1.0))
+    (tmp_path / "levels.csv").write_text(f"{heads}\n{rows}", encoding="utf-8")
+    found = run(tmp_path, write_case(barge()), "statics", '[[vary]]\ntable = "levels.csv"\n')
+    assert found.study.heights_that_stay == ()
