@@ -16,7 +16,6 @@ from catopt.cli.help_words import WithWords, group
 from catopt.cli.options import LengthOption, TablesOutOption
 from catopt.cli.size import BuoyArgument, as_option, by_option, is_file, typed, with_inputs
 from catopt.cli.values import given_ones, in_si
-from catopt.errors import refused
 from catopt.largest import largest
 from catopt.units import Dimension
 from catopt.words import Cited, Measure, Message, term
@@ -33,7 +32,6 @@ _TAKEN = {
     "wind": "0 m/s",
     "current": "0 m/s",
     "hs": "",
-    "period": "",
     "growth": "0 mm",
     "water_density": "1025 kg/m^3",
 }
@@ -98,7 +96,7 @@ def buoy(
     from catopt.loads import WaterLevels, buoy_loads
     from catopt.loads.buoy import BUOY_METHODS
     from catopt.sizing.requests import shape_of
-    from catopt.sizing.sea import of_the_fetch
+    from catopt.sizing.sea import of_the_fetch, of_the_period
     from catopt.sizing.wind import blowing
 
     place = name if is_file(name) else None
@@ -147,7 +145,7 @@ def buoy(
         high, low = (Measure("horizontal_force", computed.horizontal_force) for computed in every)
         depths = {"deep": of["depth"], "shallow": of["low_water"]}
         said.append(Message("loads.at_both_levels", high=high, low=low, **depths))
-    said += [*of_the_fetch(of), *_no_part(of, counted)]
+    said += [*of_the_period(of, "loads.taken_period"), *of_the_fetch(of), *_no_part(of, counted)]
     _give(asked, replace(result, assumptions=(*said, *result.assumptions)))
 
 
@@ -176,7 +174,7 @@ def ship(
     from catopt.sizing.environment import DIRECTIONS, current_headings, directions_of, read_turning
     from catopt.sizing.input_values import estimated_dimensions, small_craft
     from catopt.sizing.requests import turns_by_itself
-    from catopt.sizing.sea import of_the_fetch
+    from catopt.sizing.sea import of_the_fetch, of_the_period
     from catopt.sizing.wind import of_the_wind, wind_of_30_s
 
     lengths = {
@@ -260,11 +258,12 @@ def ship(
         *of_the_fetch(of),
         *_no_part(of, {*_SHIP, "moulded_depth"} - ({"hmax"} if by_hs else set())),
     )
+    taken = of_the_period(of, "loads.taken_period")
     warned = (*estimated_dimensions(of.read), *small_craft(of.read))
     reported = [
         replace(
             computed,
-            assumptions=(*computed.assumptions, *said),
+            assumptions=(*taken, *computed.assumptions, *said),
             warnings=(*computed.warnings, *warned),
         )
         for computed in (worst.loads, *others)
@@ -320,17 +319,9 @@ def _weather(of: ResolvedInputs, wind: float | None) -> tuple[Any, ...]:
 def _sea(of: ResolvedInputs) -> SeaState | None:
     """Make the waves; none when neither a height nor a fetch is given."""
     from catopt.loads import SeaState
+    from catopt.sizing.sea import has_waves, sea_of
 
-    if "fetch" in of.given:
-        from catopt.sizing.sea import sea_of
-
-        return sea_of(of)
-    if of["hs"] is None and of["hmax"] is None:
-        return SeaState(of["period"] or 1.0, 0.0)
-    if of["period"] is None:
-        wanted = Message("refused_command.missing_waves_need_such_8")
-        raise refused("period", "", wanted, "waves")
-    return SeaState(of["period"], of["hs"], of["hmax"])
+    return sea_of(of) if has_waves(of) else SeaState(of["period"] or 1.0, 0.0)
 
 
 class _Form(NamedTuple):

@@ -51,7 +51,7 @@ from catopt.sizing.maintenance import UpkeepInputs
 from catopt.sizing.pattern import CALMAR_SOIL, SAND, DragGround, SinkerGround
 from catopt.sizing.quick import quick_runs
 from catopt.sizing.result import Sizing
-from catopt.sizing.sea import of_the_fetch, sea_of
+from catopt.sizing.sea import of_the_fetch, of_the_period, sea_of
 from catopt.sizing.tanker import sized_tanker
 from catopt.sizing.tanker_request import MooredShip, TankerRequest, note_aground
 from catopt.sizing.wind import blowing, of_place, of_the_wind, wind_of_30_s
@@ -532,8 +532,8 @@ def _taken(
         if each.origin == "taken" and each.of.taken
     ]
     words += of_the_fetch(of)
-    if of.given.isdisjoint({"period", "fetch"}) and place is not None:
-        words.append(Message("sizing.taken_period", period=place.sea.period))
+    if place is not None:
+        words += of_the_period(of, "sizing.taken_period")
     if "low_water" not in of.given:
         words.append(Message("sizing.no_tide"))
     if of.given.isdisjoint({"soil", "friction"}) and ground is not None:

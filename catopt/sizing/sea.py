@@ -29,6 +29,19 @@ def sea_of(of: ResolvedInputs) -> SeaState | None:
     return SeaState(of["period"] or usual_period(significant), height, largest)
 
 
+def has_waves(of: ResolvedInputs) -> bool:
+    """Whether a height or a fetch is known."""
+    return "fetch" in of.given or of["hs"] is not None or of["hmax"] is not None
+
+
+def of_the_period(of: ResolvedInputs, key: str) -> tuple[Message, ...]:
+    """Say by a key what period was taken, where none is given and the sea is of no fetch."""
+    if not has_waves(of) or not of.given.isdisjoint({"period", "fetch"}):
+        return ()
+    sea = sea_of(of)
+    return () if sea is None else (Message(key, period=sea.period),)
+
+
 def of_the_fetch(of: ResolvedInputs) -> tuple[Message, ...]:
     """Say what sea was taken, and of which wind, fetch and depth it is."""
     sea = sea_of(of) if "fetch" in of.given else None

@@ -110,3 +110,21 @@ def test_a_fetch_raises_a_sea_for_the_loads_too(run: Run, moored: tuple[str, ...
     assert "over 20 km of water 12 m deep" in said
     assert "no part" not in said
     assert found.out != calm.out
+
+
+@pytest.mark.parametrize(
+    ("moored", "height", "period"),
+    [
+        (("buoy", "pillar 1.8 m"), ("--hs", "2 m"), "5.1 s"),  # 3.6 sqrt(2) = 5.09
+        (("ship", "--dwt", "5000 t"), ("--hmax", "3.7 m"), "5.1 s"),  # Hs = 3.7 m / 1.85
+    ],
+)
+def test_a_period_that_is_left_out_is_that_of_a_sizing(
+    run: Run, moored: tuple[str, ...], height: tuple[str, ...], period: str
+) -> None:
+    asked = ("loads", *moored, "--depth", "12 m", "--wind", "20 m/s", *height)
+    taken, given = (document_of(run, *asked, *own) for own in ((), ("--period", period)))
+    assert taken["horizontal_force_N"] == given["horizontal_force_N"]
+    words = f"wave period {period}, 3.6 s times the square root of Hs in m"
+    assert any(each.startswith(words) for each in taken["assumptions"])
+    assert not any(each.startswith("wave period") for each in given["assumptions"])
