@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Mapping
 from contextvars import ContextVar
 from importlib.resources import files
-from itertools import starmap, takewhile
+from itertools import takewhile
 from textwrap import wrap
 from typing import Any, Final
 
@@ -16,13 +16,16 @@ import typer.main
 from typer.core import TyperCommand, TyperGroup
 
 from catopt.cli.options import in_environment
+from catopt.cli.output import terminal_width
 from catopt.words import Language, Message, say
 
 HELP_ALL: Final = "--help-all"
 """In place of ``--help``: all of it."""
 WHOLE: Final[ContextVar[bool]] = ContextVar("WHOLE", default=False)
 """Whether all of a help is asked for."""
-HELP_LINES, HELP_WIDTH = 24, 80
+HELP_LINES = 24
+_MOST_WIDE = 80
+"""Columns of a help on a wide terminal."""
 _MOST_ABOUT = 3
 """Lines of a help that say what the command is for."""
 
@@ -86,12 +89,13 @@ def on_a_screen(whole: str, command: str) -> str:
         for line, _ in entries
     ]
     last = say(Message("answers.help_all", command=f"{command} {HELP_ALL}"), in_environment())
+    width = min(terminal_width(), _MOST_WIDE)
     for count in range(len(entries), 0, -1):
-        also = wrap(", ".join(named[count:]), HELP_WIDTH - 4, break_on_hyphens=False)
+        also = wrap(", ".join(named[count:]), width - 4, break_on_hyphens=False)
         laid = [
             *head,
             "",
-            *starmap(_entry, entries[:count]),
+            *(_entry(*entry, width) for entry in entries[:count]),
             *(f"  {entry}" for entry in also),
             last,
         ]
@@ -100,13 +104,13 @@ def on_a_screen(whole: str, command: str) -> str:
     return "\n".join(laid)
 
 
-def _entry(line: str, below: str) -> str:
-    """Take the first line of an entry; where more follows, say so."""
+def _entry(line: str, below: str, width: int) -> str:
+    """Take the first line of an entry, within a width; where more follows, say so."""
     if not re.search(r" {2,}\S", line.strip()):  # the option is too long to have words beside it
         line = f"{line}  {below.strip()}"
     elif not below.startswith("    "):
         return line
-    cut = line if len(line) <= HELP_WIDTH - 4 else line[: HELP_WIDTH - 3].rpartition(" ")[0]
+    cut = line if len(line) <= width - 4 else line[: width - 3].rpartition(" ")[0]
     return f"{cut.rstrip()} ..."
 
 

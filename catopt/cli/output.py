@@ -6,7 +6,7 @@ import json
 import os
 import sys
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NoReturn, TextIO, cast
 
@@ -281,10 +281,17 @@ def _folded(line: str) -> str:
 
 
 def terminal_width() -> int:
-    """Return the columns to fill: those of the terminal within limits, 80 where there is none."""
+    """Return the columns to fill: those of the terminal within limits, 80 where there is none.
+
+    What goes to a pager or a file is no wider than the terminal that the command is typed in.
+    """
     from shutil import get_terminal_size
 
-    return min(max(get_terminal_size().columns, LEAST_WIDTH), MOST_WIDTH)
+    columns = get_terminal_size().columns
+    if not (os.environ.get("COLUMNS") or sys.stdout.isatty()):
+        with suppress(OSError, ValueError):  # no terminal there, or no file below the stream
+            columns = min(os.get_terminal_size(sys.stderr.fileno()).columns or columns, columns)
+    return min(max(columns, LEAST_WIDTH), MOST_WIDTH)
 
 
 def _encoding(stream: TextIO) -> str:

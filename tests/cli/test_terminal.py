@@ -214,3 +214,38 @@ def test_a_terminal_is_used_from_60_to_140_columns(width: int) -> None:
     assert status == 0
     card = shown[shown.index("\nPasses") :].splitlines()
     assert width - 12 <= max(map(len, card)) <= width
+
+
+@needs_pty
+def test_a_pipe_is_no_wider_than_the_terminal_it_is_typed_in() -> None:
+    """Such as to a pager: standard error is the terminal, 60 columns wide."""
+    import fcntl
+    import pty
+    import struct
+    import termios
+
+    ours, theirs = pty.openpty()
+    environment = {key: value for key, value in os.environ.items() if key != "COLUMNS"}
+    widths = {}
+    for columns in (60, 120):
+        fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("HHHH", 40, columns, 0, 0))
+        ran = subprocess.run(
+            [sys.executable, "-m", "catopt", "solve", str(BUOY)],
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE,
+            stderr=theirs,
+            env=environment,
+            check=True,
+        )
+        widths[columns] = max(map(len, ran.stdout.decode("utf-8").splitlines()))
+    os.close(theirs)
+    os.close(ours)
+    assert 48 <= widths[60] <= 60
+    assert 60 < widths[120] <= 80
+
+
+def test_a_short_help_is_cut_at_the_width(run: Run, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "60")
+    lines = run("system", "--help").out.splitlines()
+    assert max(map(len, lines)) <= 60
+    assert any(line.endswith("...") for line in lines)
