@@ -50,7 +50,7 @@ def grown_sea(wind: float, fetch: float, depth: float) -> GrownSea:
     --------
     >>> sea = grown_sea(wind=20.0, fetch=10e3, depth=5.0)
     >>> round(sea.hs, 2), round(sea.peak_period, 1)
-    (1.18, 4.0)
+    (1.18, 4.1)
     """
     found = Findings("grown_sea")
     found.number("wind", wind, "m/s", above=0.0)

@@ -221,11 +221,11 @@ def test_a_body_astern_of_another_pulls_on_it() -> None:
 
 def test_a_body_on_a_line_that_does_not_stretch() -> None:
     """A force of 30 kN on a chain of 1 kN/m: a = 30 m, what hangs is sqrt(h (h + 2 a)) long."""
-    points = [
+    points = (
         Point("anchor", "anchor", 0.0, 0.0),
         Point("eye", "fairlead", 10.0, 0.0, 50.0, body="buoy"),
-    ]
-    lines = [LineBetween(Line([Segment(120.0, 1e3)]), "anchor", "eye")]
+    )
+    lines = (LineBetween(Line([Segment(120.0, 1e3)]), "anchor", "eye"),)
     buoy = MooredBody("buoy", 10.0, force=(0.0, 30e3))
     (body,) = at_rest(Network(Site(50.0), points, lines, bodies=(buoy,))).bodies
     hangs = math.sqrt(50.0 * (50.0 + 60.0))
@@ -485,10 +485,10 @@ def test_water_levels_are_those_of_the_system() -> None:
             assert row == pytest.approx(other, rel=1e-6, abs=1e-6 * own.stiffness[0][0])
     with pytest.raises(InputError, match=r"levels\[0\]"):
         at_levels(network, (-80.0,))
-    own = barge()
-    two = (*own.bodies, MooredBody("two", -400.0, 160.0))
-    points = (*own.points, Point("of two", "fairlead", -400.0, 160.0, 50.0, body="two"))
-    lines = (*own.lines, replace(own.lines[3], end="of two"))
+    one = barge()
+    two = (*one.bodies, MooredBody("two", -400.0, 160.0))
+    points = (*one.points, Point("of two", "fairlead", -400.0, 160.0, 50.0, body="two"))
+    lines = (*one.lines, replace(one.lines[3], end="of two"))
     with pytest.raises(InputError, match="level is for one body"):
         at_levels(replace(barge(), bodies=two, points=points, lines=lines), (1.0,))
 

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from catopt import InputError, Line, NoEquilibriumError, Segment, solve
-from catopt.answers.blocks import Text
+from catopt.answers.blocks import Table, Text
 from catopt.answers.check import check_answer, kind_name
 from catopt.answers.floats import afloat_on_card
 from catopt.answers.note_system import network_note_answer
@@ -22,7 +22,7 @@ from catopt.checks.system import check_network
 from catopt.constants import STANDARD_GRAVITY as G
 from catopt.model import CurrentProfile, Site
 from catopt.model.load import Checks
-from catopt.model.network import LineBetween, MooredBody, Network, Point
+from catopt.model.network import LineBetween, MooredBody, Network, Point, PointKind
 from catopt.mooring.case import at_levels
 from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.many import solve_network_many
@@ -50,7 +50,9 @@ def raft(
         lines.append(LineBetween(Line([ROPE]), f"anchor {k}", f"corner {k}"))
     site = Site(depth, friction, water_density=RHO)
     body = MooredBody("raft", force=force, **own)
-    return Network(site, points, lines, bodies=(body,), checks=Checks(safety_factor=3.0))
+    return Network(
+        site, tuple(points), tuple(lines), bodies=(body,), checks=Checks(safety_factor=3.0)
+    )
 
 
 def pull_down(found: LinesAtRest) -> float:
@@ -85,15 +87,15 @@ def test_a_raft_floats_deeper_by_what_its_lines_pull() -> None:
 def test_a_taut_leg_shares_the_rise_of_the_water_with_the_float() -> None:
     # A bar of EA / L straight down, 0.1 m short: EA / L (0.1 - s) = rho g A s.
     tether = Line([Segment(9.9, 1e-6, EA=1e6)])
-    points = [
+    points = (
         Point("anchor", "anchor", 0.0, 0.0),
         Point("eye", "fairlead", 0.0, 0.0, 10.0, body="b"),
-    ]
+    )
     body = MooredBody("b", waterplane_area=5.0, draught=0.4, freeboard=0.6)
     network = Network(
         Site(10.0, water_density=RHO),
         points,
-        [LineBetween(tether, "anchor", "eye")],
+        (LineBetween(tether, "anchor", "eye"),),
         bodies=(body,),
     )
     (found,) = at_rest(network).bodies
@@ -121,6 +123,7 @@ def test_what_its_lines_take_under_carries_all_its_reserve_and_fails() -> None:
     assert isinstance(first, Text)
     assert f"{first.said}".startswith("Pulled under water by their lines: raft by")
     (table,) = (each for each in answer.blocks if getattr(each, "name", "") == "floating")
+    assert isinstance(table, Table)
     assert table.to_dataframe()["Freeboard (m)"].tolist() == [floating.freeboard]
 
 
@@ -161,7 +164,7 @@ def test_stiffness_has_the_body_follow_in_height() -> None:
             other = replace(loaded, **WATERPLANE)
             (there,) = at_rest(replace(network, bodies=(other,))).bodies
             places.append([there.position.x, there.position.y, there.position.yaw])
-        moved.append(np.subtract(*places) / (2.0 * max(x, y, m)))
+        moved.append(np.subtract(places[0], places[1]) / (2.0 * max(x, y, m)))
     assert np.linalg.inv(body.stiffness) == pytest.approx(np.array(moved).T, rel=2e-4, abs=1e-10)
 
 
@@ -195,16 +198,17 @@ def test_in_a_current_it_floats_by_the_pull_of_its_lines_there() -> None:
 
 
 def test_a_raft_that_the_water_leaves_lies_on_the_bed() -> None:
-    points = [
-        Point(f"{name} {k}", kind, x, 0.0, z, body="b" if kind == "fairlead" else "")
-        for k, sign in enumerate((1.0, -1.0))
-        for name, kind, x, z in (
-            ("a", "anchor", 20.0 * sign, 0.0),
-            ("c", "fairlead", 2.0 * sign, 0.3),
-        )
+    ends: list[tuple[str, PointKind, float, float]] = [
+        ("a", "anchor", 20.0, 0.0),
+        ("c", "fairlead", 2.0, 0.3),
     ]
+    points = tuple(
+        Point(f"{name} {k}", kind, x * sign, 0.0, z, body="b" if kind == "fairlead" else "")
+        for k, sign in enumerate((1.0, -1.0))
+        for name, kind, x, z in ends
+    )
     line = Line([Segment(18.2, 50.0, EA=1e6)])
-    lines = [LineBetween(line, f"a {k}", f"c {k}") for k in (0, 1)]
+    lines = tuple(LineBetween(line, f"a {k}", f"c {k}") for k in (0, 1))
     body = MooredBody("b", waterplane_area=8.0, draught=0.5, freeboard=0.5)
     network = Network(Site(0.3, water_density=RHO), points, lines, bodies=(body,))
     found = at_rest(network)
@@ -333,6 +337,7 @@ def test_a_note_says_what_is_free_and_first_what_is_under_water(tmp_path: Path, 
         for each in network_note_answer(note).blocks
         if getattr(each, "name", "") == "limit_states"
     )
+    assert isinstance(limits, Table)
     named = {f"{each}" for each in limits.columns[1].values}
     counted = {f"{kind_name(each.kind)}" for each in note.checks.results}
     assert named == counted

@@ -152,7 +152,7 @@ RISER = Segment(45.0, 0.5, EA=3e5, MBL=60e3, drag_diameter=0.016, drag_normal=1.
 def marker(speed: float, **own: Any) -> Network:
     """Moor a marker buoy in 40 m by 75 m of chain and rope."""
     current = CurrentProfile("power", speed=speed, direction=math.radians(30.0))
-    drag = {"drag_area": RISER_CdA, "drag_coefficient": 1.0}
+    drag: dict[str, Any] = {"drag_area": RISER_CdA, "drag_coefficient": 1.0}
     points = (
         Point("A", "anchor", 0.0, 0.0),
         Point("F", "joint", submerged_weight=-RISER_LIFT, **drag, **own),
@@ -169,7 +169,8 @@ def come_down(speed: float, z: float, up: float) -> tuple[float, float, float, f
     """
 
     def flow(height: float) -> float:
-        return speed * min(max(height / RIVER, 0.0), 1.0) ** (1.0 / 7.0)
+        part: float = min(max(height / RIVER, 0.0), 1.0)
+        return speed * math.pow(part, 1.0 / 7.0)
 
     u = flow(z)
     state, left = np.array([0.0, z, 0.5 * RHO * RISER_CdA * u * u, up]), 75.0

@@ -269,6 +269,7 @@ def test_statistics_say_of_how_many_they_are_and_what_fails_without_them(tmp_pat
     assert "Utilisation is over 2 of 3 members: the others have none." in said
     assert any(each.startswith("1 member fails a check that has no utilisation") for each in said)
     (table,) = (each for each in study_answer(found).blocks if getattr(each, "name", "") == "study")
+    assert isinstance(table, Table)
     (members,) = (each for each in table.columns if f"{each.name}" == "Members")
     assert members.values == (2, 3)
     assert members.priority == 0  # it stays on the narrowest screen

@@ -129,7 +129,7 @@ def test_fairlead_heights_that_stay_as_the_depth_varies_are_named(tmp_path: Path
     found = run(tmp_path, write_case(barge()), "statics", text)
     stay = [f"points[{k}].height" for k in ends]
     assert found.study.heights_that_stay == tuple(stay)
-    said = " ".join(f"{each.said}" for each in study_answer(found).blocks[:2])
+    said = " ".join(f"{each}" for each in study_answer(found).blocks[:2])
     assert f"these fairlead heights above the bed do not: {', '.join(stay)}." in said
     heads = ",".join(["site.water_depth (m)", *(f"{key} (m)" for key in stay)])
     rows = "".join(",".join([f"{depth + up}"] * (1 + len(ends))) + "\n" for up in (0.0, 1.0))
