@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
@@ -26,6 +27,7 @@ from catopt.model.design import (
     inconsistencies,
 )
 from catopt.model.dynamics import OF_MOTION
+from catopt.model.joined import network_misfits
 from catopt.model.line import (
     END_ROUNDING,
     break_test_misfits,
@@ -503,3 +505,19 @@ def _excursion(case: FileSection, design: FileSection) -> Iterator[Finding]:
         path = ("design", "objectives", objectives.index("excursion"))
         key = "refused.references" if count else "refused.no_reference"
         yield Finding(path, '"excursion"', Message(key, found=count))
+
+
+def joining_findings(case: FileSection) -> list[Finding]:
+    """List what does not fit together of the points and lines of a file, as far as they are read.
+
+    Nothing where a name or an end is not: it might be the one that another looks for.
+    """
+    points, lines = case.tables("points"), case.tables("lines")
+    names = [point.value("name") for point in points]
+    ends = [(line.value("start"), line.value("end")) for line in lines]
+    bodies = [body.value("name") for body in case.tables("bodies")]
+    if not points or not lines or None in (*names, *bodies, *itertools.chain(*ends)):
+        return []
+    joints = [point.value("name") for point in points if point.value("kind") == "joint"]
+    tied = [[p.value("name") for p in points if p.value("body") == body] for body in bodies]
+    return [*case.refused(network_misfits(names, joints, ends, tied))]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import os
+from collections.abc import Callable, Collection
 from dataclasses import fields, replace
 from pathlib import Path
 from typing import Any, Final, Literal
@@ -19,6 +20,7 @@ from catopt.casefile.consistency import (
     consistency_findings,
     design_findings,
     group_findings,
+    joining_findings,
     limit_findings,
     segment_findings,
     without_site,
@@ -26,12 +28,12 @@ from catopt.casefile.consistency import (
 from catopt.casefile.document import FileSection, Finding, parts, read_tables, refuse, table
 from catopt.casefile.motion_consistency import motion_findings, network_motion_findings
 from catopt.casefile.plausibility import plausibility_findings
-from catopt.casefile.schema import CaseTable, LineBetweenTable, NetworkTable
+from catopt.casefile.schema import CaseTable, LineBetweenTable, NetworkTable, TableSchema
 from catopt.documents import attributes, parse_toml, read_text
 from catopt.errors import InputError, Problem, refused
 from catopt.model import Anchor, Case, Line, PointLoad, Segment, Site, System
 from catopt.model.network import LineBetween, MooredBody, Network, Point, require_case
-from catopt.model.plausible_ranges import accepting
+from catopt.model.plausible_ranges import NAMES, accepting
 from catopt.schemas import read_document
 from catopt.words import Message
 from catopt.words.message_records import with_messages
@@ -92,6 +94,7 @@ def parse_network(text: str, source: str = "", *, folder: str = "") -> Network:
 def network_of(document: dict[str, Any], source: str = "", *, folder: str = "") -> Network:
     """Make the points and lines of a document, as the TOML reader returns it."""
     table, findings = read_tables(document, NetworkTable)
+    malformed = {finding.path[:2] for finding in findings}
     case = FileSection(document, schema=NetworkTable)
     catalogue = from_catalogue(case, folder)
     findings += catalogue.findings
@@ -101,6 +104,10 @@ def network_of(document: dict[str, Any], source: str = "", *, folder: str = "") 
         ]
     findings += [*limit_findings(case, []), *network_motion_findings(case), *group_findings(case)]
     findings += plausibility_findings(case, findings)
+    if findings:  # else the model says the rest, and all of it
+        known = {finding.path[:2] for finding in findings}
+        beside = _refused_beside(table, catalogue, document, malformed, known)
+        findings += [*case.refused(beside), *joining_findings(case)]
     refuse(document, findings, source)
     with accepting(table.accept or ()):
         return _network(table, catalogue, document, source, folder)
@@ -114,16 +121,14 @@ def _network(
     folder: str,
 ) -> Network:
     problems: list[Problem] = []
-    points = [
-        _built(problems, f"points[{k}]", Point, **point.given())
-        for k, point in enumerate(table.points)
-    ]
+    points = [_point(problems, k, point) for k, point in enumerate(table.points)]
     lines = [_line(problems, k, line, catalogue) for k, line in enumerate(table.lines)]
-    bodies = [
-        _built(problems, f"bodies[{k}]", MooredBody, **body.given())
-        for k, body in enumerate(table.given().get("bodies") or ())
-    ]
-    refuse(document, [Finding(parts(p.key), p.found, p.allowed) for p in problems], source)
+    given_bodies = table.given().get("bodies") or ()
+    bodies = [_body(problems, k, body) for k, body in enumerate(given_bodies)]
+    if problems:
+        findings = [Finding(parts(p.key), p.found, p.allowed) for p in problems]
+        case = FileSection(document, schema=NetworkTable)
+        refuse(document, [*findings, *joining_findings(case)], source)
     site = Site(**table.site.given())
     given: dict[str, Any] = {key: getattr(table, key) or "" for key in ("title", "source")}
     given |= network_parts(table, catalogue, site, folder)
@@ -133,15 +138,59 @@ def _network(
         raise InputError(error.problems, source) from None
 
 
+def _refused_beside(
+    table: NetworkTable,
+    catalogue: FromCatalogue,
+    document: dict[str, Any],
+    malformed: Collection[tuple[Any, ...]],
+    known: Collection[tuple[Any, ...]],
+) -> list[Problem]:
+    """List what the model refuses of points, lines and bodies of which nothing is `known` to be.
+
+    Those that are `malformed` are no part of the table.
+    """
+    problems: list[Problem] = []
+    build: dict[str, Callable[[int, Any], object]] = {
+        "points": lambda k, part: _point(problems, k, part),
+        "lines": lambda k, part: _line(problems, k, part, catalogue),
+        "bodies": lambda k, part: _body(problems, k, part),
+    }
+    with accepting(NAMES):  # what is implausible is told already
+        for key, made in build.items():
+            read, written = table.given().get(key) or (), document.get(key)
+            count = len(written) if isinstance(written, list) else 0
+            sound = [k for k in range(count) if (key, k) not in malformed]
+            if len(sound) == len(read):
+                for k, part in zip(sound, read, strict=True):
+                    if (key, k) not in known:
+                        made(k, part)
+    return problems
+
+
+def _point(problems: list[Problem], k: int, table: TableSchema) -> Any:
+    return _built(problems, f"points[{k}]", Point, **table.given())
+
+
+def _body(problems: list[Problem], k: int, table: TableSchema) -> Any:
+    return _built(problems, f"bodies[{k}]", MooredBody, **table.given())
+
+
 def _line(
     problems: list[Problem], k: int, table: LineBetweenTable, catalogue: FromCatalogue
 ) -> Any:
+    path = f"lines[{k}]"
     segments = [
-        made_segment(part, catalogue.segments.get(("lines", k, "segments", i)))
+        _built(problems, f"{path}.segments[{i}]", made_segment, table=part, component=component)
         for i, part in enumerate(table.segments)
+        for component in [catalogue.segments.get(("lines", k, "segments", i))]
     ]
-    loads = [PointLoad(**load.given()) for load in table.point_loads or ()]
-    line = _built(problems, f"lines[{k}]", Line, segments=segments, point_loads=loads)
+    loads = [
+        _built(problems, f"{path}.point_loads[{i}]", PointLoad, **load.given())
+        for i, load in enumerate(table.point_loads or ())
+    ]
+    if None in (*segments, *loads):
+        return None
+    line = _built(problems, path, Line, segments=segments, point_loads=loads)
     return LineBetween(line, table.start, table.end, table.name or "")
 
 

@@ -7,6 +7,7 @@ of their own; sags by the parabola.
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import pytest
 
@@ -14,6 +15,7 @@ import catopt
 from catopt import InputError, Line, Segment, find_length
 from catopt.casefile import parse_case
 from catopt.constants import STANDARD_GRAVITY
+from catopt.errors import NoAnswerError
 
 WIRE = Line([Segment(610.0, 88.0, EA=110e6)])
 CONDUCTOR = Line([Segment(301.0, STANDARD_GRAVITY, EA=22.4e6)])
@@ -93,3 +95,15 @@ def test_conditions_go_with_a_span_alone() -> None:
             CABLE.replace('span = "20 m"', 'horizontal_force = "2 kN"')
             + 'fairlead_tension = "3 kN"\n'
         )
+
+
+@pytest.mark.parametrize(("anchor_height", "highest"), [(0.0, 25.0), (40.0, 40.0)])
+def test_a_sag_beyond_the_bed_is_refused_as_that(anchor_height: float, highest: float) -> None:
+    """A line lies nowhere below the bed, so that it sags by no more than its higher end is high."""
+    chain = Line([Segment(110.0, 400.0, EA=2e8)])
+    given: dict[str, Any] = {"height": 25.0, "horizontal_force": 150e3}
+    given["anchor_height"] = anchor_height
+    with pytest.raises(NoAnswerError, match=rf"higher end is {highest:.3f} m above it.*the most"):
+        find_length(chain, sag=60.0, **given)
+    near = find_length(chain, sag=0.98 * highest, **given)
+    assert near.solution.sag == pytest.approx(0.98 * highest, rel=1e-9)
