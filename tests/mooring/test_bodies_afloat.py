@@ -335,7 +335,7 @@ def test_a_note_says_what_is_free_and_first_what_is_under_water(tmp_path: Path, 
     (limits,) = (
         each
         for each in network_note_answer(note).blocks
-        if getattr(each, "name", "") == "limit_states"
+        if isinstance(each, Table) and each.name == "limit_states"
     )
     assert isinstance(limits, Table)
     named = {f"{each}" for each in limits.columns[1].values}
