@@ -58,7 +58,7 @@ def fill(
     is_one_line = (
         max(len(length), len(weight), len(compliance), len(position), len(point_weight)) == 1
     )
-    is_line = False
+    is_line, weighs = False, False
     for i in range(first, end):
         if i == first or not is_one_line:
             is_line = _take(
@@ -70,10 +70,13 @@ def fill(
                 point_friction,
                 pieces,
                 owner,
-                known,
             )
+            weighs = _weighs(pieces)
+        # Slack without weight, it has no shape that would tell its force.
+        chord = math.hypot(wanted[i], height[i] - anchor_height[i])
         is_valid = (
             is_line
+            and (known != BY_SPAN or weighs or chord > total_length(pieces))
             and (wanted[i] > 0.0 or (wanted[i] == 0.0 and known == BY_SPAN))
             and height[i] >= 0.0
             and anchor_height[i] >= 0.0
@@ -109,14 +112,11 @@ def _take(
     point_friction: Any,
     pieces: Pieces,
     owner: Any,
-    known: int,
 ) -> bool:
     """Cut a line into its pieces; False, with the pieces as they were, when it is no line."""
     if not _are_segments(length, weight, compliance):
         return False
     if not _are_point_loads(position, point_weight, length):
-        return False
-    if known != BY_FORCE and not _weighs(weight, point_weight):
         return False
     split(length, weight, compliance, position, point_weight, point_friction, pieces, owner)
     return True
@@ -145,12 +145,10 @@ def _are_segments(length: Any, weight: Any, compliance: Any) -> bool:
     return True
 
 
-def _weighs(weight: Any, point_weight: Any) -> bool:
-    """Whether anything of the line has a weight: otherwise its shape does not tell the force."""
-    if len(point_weight) > 0:
-        return True
-    for k in range(len(weight)):
-        if weight[k] != 0.0:
+def _weighs(pieces: Pieces) -> bool:
+    """Whether anything of the line has a weight."""
+    for k in range(len(pieces.length)):
+        if pieces.weight[k] != 0.0 or pieces.load[k] != 0.0:
             return True
     return False
 

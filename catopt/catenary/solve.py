@@ -459,8 +459,8 @@ def _check(line: Line, load: Load, rise: float, found: Findings) -> None:
         if value is not None and not LEAST_FORCE <= value <= GREATEST_FORCE:
             bounds = {"least_force": LEAST_FORCE, "greatest_force": GREATEST_FORCE}
             found.add("load", f"{value:g} N", Message("refused_motion.from_n", **bounds))
-    weightless = all(segment.submerged_weight == 0.0 for segment in line.segments)
-    if weightless and not line.point_loads and load.span is not None:
+    weightless = not any(part.submerged_weight for part in (*line.segments, *line.point_loads))
+    if weightless and load.span is not None:
         chord = math.hypot(load.span, rise)
         if chord <= line.length:  # else its stretch says the force
             allowed = Message(

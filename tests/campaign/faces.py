@@ -235,7 +235,7 @@ def _wrong_cell(column: Column, row: int, scales: dict[str, float]) -> str:
     if found is None:
         return "" if text.startswith("<") else f"{column.said_heading()}: {text!r} for {value!r}"
     printed, field_value = float(found[0]), quantity.to_field(value)
-    least = max(NOTHING * scales.get(quantity.si_unit, 0.0), 1e-9)
+    least = max(NOTHING * scales.get(quantity.si_unit, 0.0), quantity.rounding, 1e-9)
     if abs(value) <= least * (1.0 + 1e-12):
         return ""
     places = len(found[0].partition(".")[2]) if "e" not in found[0] else 0
@@ -366,7 +366,9 @@ def _of_workbook(answer: Answer) -> str:
         if not _is_among(inside, every, 0.0):
             return f"{column.said_heading()}: {inside} is in no cell"
         quantity = column.quantity_of(row)
-        least = NOTHING * scales[quantity.si_unit] if quantity else math.inf
+        least = math.inf
+        if quantity:
+            least = max(NOTHING * scales[quantity.si_unit], quantity.rounding)
         shows = re.fullmatch(r"0(?:\.(0+))?", formats.get(inside, ""))
         if shows and abs(value) > least and abs(inside) < 0.5 * 10.0 ** -len(shows[1] or ""):
             return f"{column.said_heading()}: {inside} is shown as {shows[0]}"

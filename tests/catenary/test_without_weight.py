@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from catopt import InputError, Line, Segment, solve
+from catopt import InputError, Line, Segment, solve, solve_many
 from catopt.errors import NoEquilibriumError
 
 TAUT = Line([Segment(79.0, 0.0, EA=1e8)])
@@ -52,3 +52,14 @@ def test_a_slack_line_without_weight_needs_its_force(height: float, span: float)
     rigid = Line([Segment(79.0, 0.0)])
     with pytest.raises(NoEquilibriumError, match=r"1\.62258 m too short"):
         solve(rigid, height=80.0, span=10.0)
+
+
+def test_many_lines_without_weight_are_solved_as_one_is() -> None:
+    """Where the chord is longer than the line, and under any tension; a slack one has no shape."""
+    line = Line([Segment(79.0, 0.0, EA=1e8)])
+    found = solve_many(line, height=10.0, span=[80.0, 78.0])
+    stretched = 1e8 * (math.hypot(80.0, 10.0) - 79.0) / 79.0
+    assert found.converged.tolist() == [True, False]
+    assert found.tension[0] == pytest.approx(stretched, rel=1e-9)
+    pulled = solve_many(line, height=10.0, fairlead_tension=[stretched])
+    assert pulled.span[0] == pytest.approx(80.0, rel=1e-9)
