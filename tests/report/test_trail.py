@@ -39,7 +39,7 @@ def pieces(name: str) -> tuple[TrailPiece, ...]:
 
 def key_of(step: Step) -> str:
     assert isinstance(step.name, Message)
-    return step.name.key.removeprefix("trail.")
+    return step.name.key.rpartition(".")[2]
 
 
 def numbered() -> set[str]:
