@@ -49,8 +49,11 @@ BASE: dict[Moored, dict[str, object]] = {
         "buoy": "mooring buoy 5.0 m",
     },
 }
+BY_FETCH = ("fetch", "fetch_depth")
+"""In place of Hs."""
 STILL: dict[str, object] = dict.fromkeys(
     (
+        *BY_FETCH,
         *("in_motion", "seeds", "run_time", "peak_period", "sea_height", "period_range"),
         *("other_lengths", "max_slide", "centre_of_gravity", "max_heel"),
         *("light_divergence", "pitch_damping"),
@@ -61,9 +64,9 @@ STILL: dict[str, object] = dict.fromkeys(
 """Of what is run in time there are tests of their own: it takes minutes."""
 SEVERAL: dict[str, object] = {"low_water": "20 m", "max_swing": None, "swing_price": None}
 IN_MOTION = ("in_motion", "seeds", "run_time", "peak_period", "sea_height", "period_range")
-SEVERAL |= dict.fromkeys((*IN_MOTION, "embedment"))
+SEVERAL |= dict.fromkeys((*IN_MOTION, *BY_FETCH, "embedment"))
 ONE_LINE: dict[str, object] = {"low_water": "20 m", "prefer": "cheapest"}
-ONE_LINE |= dict.fromkeys(("lines", "pretension", "clump_weight", *IN_MOTION))
+ONE_LINE |= dict.fromkeys(("lines", "pretension", "clump_weight", *IN_MOTION, *BY_FETCH))
 FULL: dict[str, tuple[Moored, dict[str, object]]] = {
     "a buoy of the library": ("buoy", {"hs": "1.5 m", "swing_price": None, **STILL}),
     "a buoy by its force": (
@@ -141,7 +144,7 @@ def test_keywords_options_and_a_file_come_to_the_same(name: str, tmp_path: Path)
 def test_the_examples_are_all_inputs_but_files() -> None:
     given = {
         "buoy": {"buoys", "swing_price", *STILL},
-        "tanker": {"buoys", "coefficients", *IN_MOTION},
+        "tanker": {"buoys", "coefficients", *IN_MOTION, *BY_FETCH},
     }  # no buoy chain has a price
     for name in FULL:
         moored, examples_of_it = examples(name)
@@ -161,6 +164,7 @@ def test_every_face_has_exactly_the_inputs_of_the_table(moored: Moored) -> None:
             assert each.takes in (found[name].metavar, "WHICH", "NAME", "COUNT", "FLAG")
     keys = {each.key for row, each in ROWS if row == moored}
     tables = {key: entry.table for key, entry in entries(schema_of(moored)).items()}
+    del tables["document"]  # of the note alone
     inside = {f"{name}.{key}" for name, of in tables.items() if of for key in entries(of)}
     assert inside | {name for name, of in tables.items() if not of} == keys
 
