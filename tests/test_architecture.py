@@ -246,6 +246,8 @@ SAID = (
     *("catopt.verify.motion_words.", "catopt.verify.comparison."),
     *("catopt.checks.verdict.", "catopt.checks.kinds.", "catopt.design.result."),
     *("catopt.loads.ship.SHORTEST", "catopt.verify.convergence_check.LIMIT"),
+    *("catopt.mooring.afloat_words.", "catopt.sizing.quick.MARGIN"),
+    "catopt.checks.result.AtLevels",
 )
 """What results say of themselves in words, are rounded to or measured in."""
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, cast
 
 from catopt.answers import blocks
 from catopt.answers.blocks import Rows, if_known, tabulate
-from catopt.mooring.network_rest import bodies_said, floats_said
+from catopt.mooring.afloat_words import bodies_said, floats_said
 from catopt.words import Measure, Message
 
 if TYPE_CHECKING:

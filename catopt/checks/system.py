@@ -23,10 +23,11 @@ from catopt.checks.result import AtLevels, CheckReport, CheckResult, line_in_sta
 from catopt.errors import InputError, Problem
 from catopt.model import Anchor, Case, Leg, Line
 from catopt.model.network import Network
+from catopt.mooring.afloat_words import bodies_said, floats_said
 from catopt.mooring.case import LineOut, SystemReport, one_line_out, report_system
 from catopt.mooring.fixed_body import at_rest
 from catopt.mooring.network_out import NetworkOut, each_line_out
-from catopt.mooring.network_rest import LinesAtRest, bodies_said, floats_said
+from catopt.mooring.network_rest import LinesAtRest
 from catopt.mooring.restoring import WatchCircle
 from catopt.mooring.solution import SystemSolution, of_line
 from catopt.words import Measure, Message
