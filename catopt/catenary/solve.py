@@ -459,8 +459,9 @@ def _check(line: Line, load: Load, rise: float, found: Findings) -> None:
         if value is not None and not LEAST_FORCE <= value <= GREATEST_FORCE:
             bounds = {"least_force": LEAST_FORCE, "greatest_force": GREATEST_FORCE}
             found.add("load", f"{value:g} N", Message("refused_motion.from_n", **bounds))
-    weightless = not any(part.submerged_weight for part in (*line.segments, *line.point_loads))
-    if weightless and load.span is not None:
+    weights = [*(each.submerged_weight for each in line.segments)]
+    weights += [each.submerged_weight for each in line.point_loads]
+    if not any(weights) and load.span is not None:
         chord = math.hypot(load.span, rise)
         if chord <= line.length:  # else its stretch says the force
             allowed = Message(
