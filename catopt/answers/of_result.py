@@ -21,6 +21,7 @@ def layouts() -> dict[str, Callable[[Any], Answer]]:
     """List what lays a result out, by the name of its class."""
     from catopt.answers.check import check_answer
     from catopt.answers.design import design_answer
+    from catopt.answers.finding import finding_answer
     from catopt.answers.motion import motion_answer
     from catopt.answers.note_comparison import again_answer
     from catopt.answers.size import size_answer
@@ -35,6 +36,7 @@ def layouts() -> dict[str, Callable[[Any], Answer]]:
         "DesignPoint": _design,
         "DesignResult": design_answer,
         "DynamicVerification": motion_answer,
+        "FoundValues": finding_answer,
         "NoteAgain": again_answer,
         "Sizing": size_answer,
         "Solution": _solution,
