@@ -435,9 +435,8 @@ def _life(case: Case | Network) -> Message:
 def _pretension(sheet: Sheet) -> Message:
     if sheet.pretension is None:
         return Message("note_sheet.no_pretension")
-    key = f"of_{sheet.about}"
     tension = Measure("tension", sheet.pretension)
-    return Message(f"note_sheet.pretension_{key}", tension=tension)
+    return Message(f"note_sheet.pretension_of_{sheet.about}", tension=tension)
 
 
 def _limit_states(sheet: Stated) -> Table:
