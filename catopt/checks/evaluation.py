@@ -246,15 +246,10 @@ def check_afloat(
         floating = each.floating
         if floating.reserve is None:
             continue
-        pull, freeboard = floating.pull, floating.freeboard
-        found = Demand(pull, floating.reserve, ratio_exceedance(pull, floating.reserve))
-        if freeboard is not None and freeboard < 0.0:
-            said = Message("checks.under_water", under=Measure("height", -freeboard))
-            deep = max(found.exceedance, -freeboard / math.fsum(each.body.afloat[1:]))
-            found = found._replace(exceedance=deep, note=said)
-        name = Message("checks.buoyancy_of", name=each.body.name)
-        own = Criterion("buoyancy", floating.reserve, USER)
-        yield result_of("buoyancy", own, found, load_case, place, name)
+        # One that keeps its height has no freeboard to lose.
+        height = math.fsum(each.body.afloat[1:]) if each.body.floats else 0.0
+        used, sunk = (floating.pull, floating.reserve), (-(floating.freeboard or 0.0), height)
+        yield _check_float(each.body.name, used, sunk, load_case, place)
 
 
 def check_floats(
@@ -267,14 +262,30 @@ def check_floats(
     for each in floats:
         if each.of.float_height is None:
             continue
-        found = Demand(each.used, each.buoyancy, ratio_exceedance(each.used, each.buoyancy))
-        if each.under > 0.0:
-            said = Message("checks.under_water", under=Measure("height", each.under))
-            deep = max(found.exceedance, each.under / each.of.float_height)
-            found = found._replace(exceedance=deep, note=said)
-        name = Message("checks.buoyancy_of", name=each.name)
-        own = Criterion("buoyancy", each.buoyancy, USER)
-        yield result_of("buoyancy", own, found, load_case, place, name)
+        used, sunk = (each.used, each.buoyancy), (each.under, each.of.float_height)
+        yield _check_float(each.name, used, sunk, load_case, place)
+
+
+def _check_float(
+    name: str,
+    used: tuple[float, float],
+    sunk: tuple[float, float],
+    load_case: str,
+    place: Place,
+) -> CheckResult:
+    """Hold what is used of a buoyancy against all of it, N; what is under water fails.
+
+    `sunk`: by how much it is under, over its height, m.
+    """
+    (pull, reserve), (under, height) = used, sunk
+    found = Demand(pull, reserve, ratio_exceedance(pull, reserve))
+    if under > 0.0:
+        said = Message("checks.under_water", under=Measure("height", under))
+        found = found._replace(exceedance=max(found.exceedance, under / height), note=said)
+    own = Criterion("buoyancy", reserve, USER)
+    return result_of(
+        "buoyancy", own, found, load_case, place, Message("checks.buoyancy_of", name=name)
+    )
 
 
 def segment_words(segment: Segment, index: int) -> Message:

@@ -18,7 +18,7 @@ from typing import Final, NamedTuple
 from catopt.constants import STANDARD_GRAVITY
 from catopt.model.kinds import Findings
 
-WIND_MEAN: Final = 600.0
+GROWING_MEAN: Final = 600.0
 """s: the wind is a mean over this."""
 
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from catopt.loads.environment import HMAX_OVER_HS, SeaState
-from catopt.loads.wave_growth import WIND_MEAN as GROWING_MEAN
-from catopt.loads.wave_growth import grown_sea
+from catopt.loads.wave_growth import GROWING_MEAN, grown_sea
 from catopt.sizing.environment import WIND_MEAN, mean_over, usual_period
 from catopt.sizing.input_values import ResolvedInputs
 from catopt.sizing.wind import blowing

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 
 import pytest
 
@@ -57,3 +58,19 @@ def test_nothing_grows_from_nothing(wrong: str) -> None:
     with pytest.raises(InputError) as error:
         grown_sea(**given)
     assert [each.key for each in error.value.problems] == [wrong]
+
+
+def test_the_laws_beside_it_in_the_page_are_these() -> None:
+    """JONSWAP: m0 g^2/U^4 = 1.6e-7 F~; CEM: g H/u*^2 = 0.0413 sqrt(g F/u*^2), u*^2 = Cd U^2."""
+    wind, fetch = 20.0, 10e3
+    shallow, deep = (grown_sea(wind, fetch, depth) for depth in (5.0, 2000.0))
+    jonswap = 4.0 * math.sqrt(1.6e-7 * G * fetch / wind**2) * wind**2 / G
+    friction = 0.001 * (1.1 + 0.035 * wind) * wind**2
+    cem = 0.0413 * math.sqrt(G * fetch / friction) * friction / G
+    rows = [
+        f"| 20 m/s | 10 km | 5 m | {shallow.hs:.2f} m, {shallow.peak_period:.1f} s | | |",
+        f"| 20 m/s | 10 km | deep | {deep.hs:.2f} m, {deep.peak_period:.1f} s | "
+        f"{jonswap:.2f} m | {cem:.2f} m |",
+    ]
+    page = (Path(__file__).parents[2] / "docs" / "sizing.md").read_text("utf-8").splitlines()
+    assert [row for row in rows if row not in page] == []

@@ -169,7 +169,17 @@ def test_it_parts_by_its_own_strength(tmp_path: Path) -> None:
     assert any("does not reach its MBL" in each for each in stays.parts[0].remarks)
 
 
-HANGING = """
+SEGMENT = """\
+[[lines.segments]]
+length = "42.4 m"
+submerged_weight = "0.5 N/m"
+mass = "0.2 kg/m"
+EA = "100 MN"
+MBL = "900 kN"
+drag_diameter = "1 mm"
+drag_normal = 0
+"""
+HANGING = f"""
 title = "A weight between two ropes"
 [site]
 water_depth = "60 m"
@@ -193,26 +203,10 @@ mass = "10.2 t"
 [[lines]]
 start = "left"
 end = "weight"
-[[lines.segments]]
-length = "42.4 m"
-submerged_weight = "0.5 N/m"
-mass = "0.2 kg/m"
-EA = "100 MN"
-MBL = "900 kN"
-drag_diameter = "1 mm"
-drag_normal = 0
-[[lines]]
+{SEGMENT}[[lines]]
 start = "right"
 end = "weight"
-[[lines.segments]]
-length = "42.4 m"
-submerged_weight = "0.5 N/m"
-mass = "0.2 kg/m"
-EA = "100 MN"
-MBL = "900 kN"
-drag_diameter = "1 mm"
-drag_normal = 0
-[motion]
+{SEGMENT}[motion]
 period = "10 s"
 heave = "1 mm"
 heave_phase = "90 deg"
